@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace hsr {
+
+/// A picture: colour, eye depth and primitive id of every pixel, row by row from the top left.
+struct Frame {
+  Frame() = default;
+  Frame(int frame_width, int frame_height)
+      : width(frame_width),
+        height(frame_height),
+        color(pixel_count(), glm::vec4(0.0F)),
+        depth(pixel_count(), std::numeric_limits<float>::infinity()),
+        id(pixel_count(), background_id) {}
+
+  std::size_t pixel_count() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  std::size_t index(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(width) + static_cast<std::size_t>(i);
+  }
+
+  int width = 0;
+  int height = 0;
+  std::vector<glm::vec4> color;   ///< linear RGB times opacity, and opacity; background all zero
+  std::vector<float> depth;       ///< eye depth in scene units; background +infinity
+  std::vector<std::uint32_t> id;  ///< primitive id; background_id where nothing is shown
+};
+
+}  // namespace hsr

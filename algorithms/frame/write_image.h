@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+
+#include "frame/frame.h"
+
+namespace hsr {
+
+/// Writes the colours as an 8-bit sRGB PNG, laid over `backdrop` (linear RGB). Throws InputError on
+/// failure and leaves nothing half-written.
+void write_png(const Frame& frame, const glm::vec3& backdrop, const std::filesystem::path& file);
+
+/// Writes R, G, B, A (FLOAT, linear, premultiplied), Z (FLOAT eye depth, +infinity for background)
+/// and id (UINT, 4294967295 for background) as one OpenEXR scan line image. Throws InputError on
+/// failure and leaves nothing half-written.
+void write_exr_layers(const Frame& frame, const std::filesystem::path& file);
+
+}  // namespace hsr
