@@ -1,0 +1,169 @@
+#include "predicates/sample_predicates.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace hsr {
+
+namespace {
+
+// Powers of two, so that ids spread by their low bits. Neighbouring pixels ask about the same few
+// triangles; a few dozen entries keep the repeated work of a row of ambiguous pixels away.
+constexpr std::size_t triangle_cache_size = 64;
+constexpr std::size_t pair_cache_size = 256;
+
+int sign_at(const Homogeneous<Dyadic>& plane, double a, double b) { return at_sample(plane, a, b).sign(); }
+
+}  // namespace
+
+struct SamplePredicates::ExactTriangle {
+  std::uint32_t id = background_id;
+  HomogeneousTriangle<Dyadic> oriented;  // signs turned so that det > 0
+  int orientation = 0;                   // the sign that det had
+};
+
+struct SamplePredicates::SamePlane {
+  std::uint32_t p = background_id;
+  std::uint32_t q = background_id;
+  bool same = false;
+};
+
+SamplePredicates::SamplePredicates(const Projection& projection, const Scene& scene)
+    : projection_(projection),
+      scene_(scene),
+      sure_inverse_near_((Bounded(1.0) / Bounded(projection.near_depth)).lower()),
+      sure_inverse_far_((Bounded(1.0) / Bounded(projection.far_depth)).upper()),
+      triangles_(triangle_cache_size),
+      same_planes_(pair_cache_size) {}
+
+SamplePredicates::~SamplePredicates() = default;
+
+std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
+                                                       const std::array<Homogeneous<Bounded>, 3>& corner) {
+  const HomogeneousTriangle<Bounded> triangle = homogeneous_triangle(projection_, corner);
+  int orientation = 0;
+  if (triangle.det.surely_positive()) orientation = 1;
+  if (triangle.det.surely_negative()) orientation = -1;
+  if (orientation == 0) {
+    ++exact_evaluations_;
+    orientation = exact_triangle(id).orientation;
+    if (orientation == 0) return std::nullopt;
+  }
+
+  SampleTriangle result;
+  result.id = id;
+  result.front = orientation > 0;
+  const Bounded turned(static_cast<double>(orientation));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Homogeneous<Bounded> edge = {triangle.edge[k][0] * turned, triangle.edge[k][1] * turned,
+                                       triangle.edge[k][2] * turned};
+    result.edge[k] = bounded_plane(edge, projection_.width, projection_.height);
+  }
+  const Homogeneous<Bounded> inverse_depth = {triangle.sum[0] / triangle.det, triangle.sum[1] / triangle.det,
+                                              triangle.sum[2] / triangle.det};
+  result.inverse_depth = bounded_plane(inverse_depth, projection_.width, projection_.height);
+
+  result.within_depth_range = true;
+  for (const Homogeneous<Bounded>& point : corner) {
+    if (!(point[2].lower() > projection_.near_depth && point[2].upper() < projection_.far_depth)) {
+      result.within_depth_range = false;
+    }
+  }
+  return result;
+}
+
+bool SamplePredicates::exactly_covers(std::uint32_t id, double a, double b) {
+  ++exact_evaluations_;
+  const ExactTriangle& triangle = exact_triangle(id);
+  if (triangle.orientation == 0) return false;
+  for (const Homogeneous<Dyadic>& edge : triangle.oriented.edge) {
+    if (sign_at(edge, a, b) < 0) return false;
+  }
+  // 1/far <= sum / det <= 1/near, multiplied by det > 0 and by near or far > 0.
+  const Dyadic sum = at_sample(triangle.oriented.sum, a, b);
+  const Dyadic& det = triangle.oriented.det;
+  return (sum * Dyadic(projection_.far_depth) - det).sign() >= 0 &&
+         (sum * Dyadic(projection_.near_depth) - det).sign() <= 0;
+}
+
+int SamplePredicates::exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b) {
+  if (p == q) return 0;
+  ++exact_evaluations_;
+  const ExactTriangle& first = exact_triangle(p);
+  // The second look-up may replace the first entry of the cache where both ids fall on it.
+  std::optional<ExactTriangle> kept;
+  if (p % triangle_cache_size == q % triangle_cache_size) kept = first;
+  const ExactTriangle& second = exact_triangle(q);
+  const ExactTriangle& first_again = kept ? *kept : first;
+  if (same_plane(first_again, second)) return 0;
+  const Dyadic inverse_p = at_sample(first_again.oriented.sum, a, b) * second.oriented.det;
+  const Dyadic inverse_q = at_sample(second.oriented.sum, a, b) * first_again.oriented.det;
+  return (inverse_q - inverse_p).sign();
+}
+
+bool SamplePredicates::same_plane(const ExactTriangle& p, const ExactTriangle& q) {
+  SamePlane& entry = same_planes_[(p.id * 31U + q.id) % pair_cache_size];
+  if (entry.p == p.id && entry.q == q.id) return entry.same;
+  entry = {p.id, q.id, true};
+  for (std::size_t axis = 0; axis < 3 && entry.same; ++axis) {
+    entry.same = (p.oriented.sum[axis] * q.oriented.det - q.oriented.sum[axis] * p.oriented.det).sign() == 0;
+  }
+  return entry.same;
+}
+
+const SamplePredicates::ExactTriangle& SamplePredicates::exact_triangle(std::uint32_t id) {
+  ExactTriangle& entry = triangles_[id % triangle_cache_size];
+  if (entry.id != id) entry = make_exact_triangle(id);
+  return entry;
+}
+
+SamplePredicates::ExactTriangle SamplePredicates::make_exact_triangle(std::uint32_t id) const {
+  std::array<Homogeneous<Dyadic>, 3> corner;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corner[k] = clip_from_world<Dyadic>(projection_, scene_.positions[scene_.triangles[id].corners[k]]);
+  }
+  ExactTriangle result;
+  result.id = id;
+  result.oriented = homogeneous_triangle(projection_, corner);
+  result.orientation = result.oriented.det.sign();
+  if (result.orientation < 0) {
+    for (Homogeneous<Dyadic>& edge : result.oriented.edge) edge = {-edge[0], -edge[1], -edge[2]};
+    Homogeneous<Dyadic>& sum = result.oriented.sum;
+    sum = {-sum[0], -sum[1], -sum[2]};
+    result.oriented.det = -result.oriented.det;
+  }
+  return result;
+}
+
+float SamplePredicates::nearest_float_depth(const SampleTriangle& triangle, double a, double b) {
+  const Bounded depth = Bounded(1.0) / Bounded(triangle.inverse_depth.at(a, b), triangle.inverse_depth.bound);
+  constexpr double greatest = std::numeric_limits<float>::max();
+  if (depth.upper() < greatest && depth.lower() > 0.0) {
+    const auto below = static_cast<float>(depth.lower());
+    if (below == static_cast<float>(depth.upper())) return below;
+  }
+  ++exact_evaluations_;
+  const ExactTriangle& exact = exact_triangle(triangle.id);
+  const Dyadic sum = at_sample(exact.oriented.sum, a, b);
+  long det_exponent = 0;
+  long sum_exponent = 0;
+  const double fraction = exact.oriented.det.rounded(det_exponent) / sum.rounded(sum_exponent);
+  const double near_the_quotient = std::ldexp(fraction, static_cast<int>(det_exponent - sum_exponent));
+  if (near_the_quotient >= greatest) return std::numeric_limits<float>::max();
+  // The guess is off by a few units in the 53rd bit, so it is the wanted float or its neighbour.
+  auto result = static_cast<float>(near_the_quotient);
+  const auto above_middle = [&](float low, float high) {
+    const double middle = (double{low} + double{high}) / 2.0;
+    const int side = (exact.oriented.det - sum * Dyadic(middle)).sign();
+    const bool low_is_even = (std::bit_cast<std::uint32_t>(low) & 1U) == 0U;
+    return side > 0 || (side == 0 && !low_is_even);
+  };
+  const float next = std::nextafter(result, std::numeric_limits<float>::infinity());
+  const float previous = std::nextafter(result, 0.0F);
+  if (std::isfinite(next) && above_middle(result, next)) return next;
+  if (previous < result && !above_middle(previous, result)) return previous;
+  return result;
+}
+
+}  // namespace hsr
