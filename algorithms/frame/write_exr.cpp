@@ -1,0 +1,87 @@
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "frame/write_image.h"
+#include "scene/atomic_file.h"
+#include "scene/errors.h"
+
+namespace hsr {
+namespace {
+
+/// A file in memory. OpenEXR is not given the real file, as it says nothing when the disk is full
+/// at its last write.
+class MemoryStream : public Imf::OStream {
+ public:
+  MemoryStream() : Imf::OStream("memory") {}
+
+  void write(const char bytes[], int count) override {
+    const auto size = static_cast<std::size_t>(count);
+    content_.resize(std::max(content_.size(), position_ + size));
+    std::copy_n(bytes, size, content_.begin() + static_cast<std::ptrdiff_t>(position_));
+    position_ += size;
+  }
+  std::uint64_t tellp() override { return position_; }
+  void seekp(std::uint64_t position) override { position_ = position; }
+
+  std::string take_content() { return std::move(content_); }
+
+ private:
+  std::string content_;
+  std::uint64_t position_ = 0;
+};
+
+/// One channel of the file: values of `type` that begin at `base` and lie `stride` bytes apart.
+void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name, Imf::PixelType type,
+                 const void* base, std::size_t stride, int width) {
+  header.channels().insert(name, Imf::Channel(type));
+  // OpenEXR reads and writes through the same kind of pointer; here it only reads.
+  char* first = static_cast<char*>(const_cast<void*>(base));
+  buffer.insert(name, Imf::Slice(type, first, stride, stride * static_cast<std::size_t>(width)));
+}
+
+std::string encode(const Frame& frame) {
+  Imf::Header header(frame.width, frame.height);
+  header.compression() = Imf::ZIP_COMPRESSION;
+  Imf::FrameBuffer buffer;
+  const float* color = &frame.color.front().r;
+  add_channel(header, buffer, "R", Imf::FLOAT, color, sizeof(glm::vec4), frame.width);
+  add_channel(header, buffer, "G", Imf::FLOAT, color + 1, sizeof(glm::vec4), frame.width);
+  add_channel(header, buffer, "B", Imf::FLOAT, color + 2, sizeof(glm::vec4), frame.width);
+  add_channel(header, buffer, "A", Imf::FLOAT, color + 3, sizeof(glm::vec4), frame.width);
+  add_channel(header, buffer, "Z", Imf::FLOAT, frame.depth.data(), sizeof(float), frame.width);
+  add_channel(header, buffer, "id", Imf::UINT, frame.id.data(), sizeof(std::uint32_t), frame.width);
+
+  MemoryStream stream;
+  {
+    Imf::OutputFile output(stream, header);
+    output.setFrameBuffer(buffer);
+    output.writePixels(frame.height);
+  }  // the table of lines is written here
+  return stream.take_content();
+}
+
+}  // namespace
+
+void write_exr_layers(const Frame& frame, const std::filesystem::path& file) {
+  write_file_atomically(file, [&](const std::filesystem::path& temporary) {
+    std::string content;
+    try {
+      content = encode(frame);
+    } catch (const std::exception& failure) {
+      throw InputError("cannot write " + file.string() + ": " + failure.what());
+    }
+    write_bytes(temporary, content);
+  });
+}
+
+}  // namespace hsr
