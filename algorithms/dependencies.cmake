@@ -1,7 +1,7 @@
-# Every library the kit uses, under the name hsr::NAME: the system's package where there is one,
-# otherwise fetched at a pinned version. GMP alone must be installed, as it does not build with CMake.
+# Every library the kit uses, under the name hsr::NAME: the system's package where there is one
+# (viewer/setup lists them), otherwise fetched at a pinned version. GMP alone must be installed, as
+# it does not build with CMake.
 include(FetchContent)
-find_package(PkgConfig QUIET)
 
 # Makes hsr::NAME an alias of the first of the given targets that exists.
 function(hsr_alias name)
@@ -16,69 +16,76 @@ function(hsr_alias name)
   message(FATAL_ERROR "no target for ${name}: none of ${ARGN} exists")
 endfunction()
 
+# Fetches a library that the system does not have and adds its targets: without its tests, and with
+# its headers as system headers, so that our warnings stay ours.
+function(hsr_fetch name repository tag)
+  message(STATUS "${name} is not installed: fetching ${tag}")
+  set(BUILD_TESTING OFF)
+  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW)  # option() leaves variables that are set alone
+  FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} SYSTEM ${ARGN})
+  FetchContent_MakeAvailable(${name})
+  set(${name}_SOURCE_DIR ${${name}_SOURCE_DIR} PARENT_SCOPE)
+  set(${name}_BINARY_DIR ${${name}_BINARY_DIR} PARENT_SCOPE)
+endfunction()
+
 # Vectors and matrices.
 find_package(glm QUIET)
 if(NOT TARGET glm::glm)
-  FetchContent_Declare(glm GIT_REPOSITORY https://github.com/g-truc/glm.git GIT_TAG 0.9.9.8)
-  FetchContent_MakeAvailable(glm)
+  hsr_fetch(glm https://github.com/g-truc/glm.git 0.9.9.8)
 endif()
-hsr_alias(glm glm::glm glm)
+hsr_alias(glm glm::glm)
 
 # Threads.
 find_package(TBB QUIET CONFIG)
 if(NOT TARGET TBB::tbb)
   set(TBB_TEST OFF CACHE BOOL "" FORCE)
-  FetchContent_Declare(tbb GIT_REPOSITORY https://github.com/oneapi-src/oneTBB.git GIT_TAG v2021.8.0)
-  FetchContent_MakeAvailable(tbb)
+  hsr_fetch(tbb https://github.com/oneapi-src/oneTBB.git v2021.8.0)
 endif()
 hsr_alias(tbb TBB::tbb)
 
-# OpenEXR images.
-find_package(OpenEXR QUIET CONFIG)
+# Compressed files; OpenEXR needs it too.
+find_package(ZLIB QUIET)
+if(NOT TARGET ZLIB::ZLIB)
+  hsr_fetch(zlib https://github.com/madler/zlib.git v1.3.1)
+  target_include_directories(zlibstatic INTERFACE ${zlib_SOURCE_DIR} ${zlib_BINARY_DIR})
+endif()
+hsr_alias(zlib ZLIB::ZLIB zlibstatic)
+
+# OpenEXR images. Debian's package of Imath, which OpenEXR needs, mentions a Python library that is
+# in another package and prints a paragraph about it, hence the log level.
+block()
+  set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
+  find_package(OpenEXR QUIET CONFIG)
+endblock()
 if(NOT TARGET OpenEXR::OpenEXR)
   set(OPENEXR_INSTALL OFF CACHE BOOL "" FORCE)
   set(OPENEXR_BUILD_TOOLS OFF CACHE BOOL "" FORCE)
-  FetchContent_Declare(openexr
-                       GIT_REPOSITORY https://github.com/AcademySoftwareFoundation/openexr.git
-                       GIT_TAG v3.1.5)
-  FetchContent_MakeAvailable(openexr)
+  set(OPENEXR_INSTALL_EXAMPLES OFF CACHE BOOL "" FORCE)
+  hsr_fetch(openexr https://github.com/AcademySoftwareFoundation/openexr.git v3.1.5)
 endif()
 hsr_alias(openexr OpenEXR::OpenEXR)
 
 # JSON.
 find_package(nlohmann_json QUIET CONFIG)
 if(NOT TARGET nlohmann_json::nlohmann_json)
-  FetchContent_Declare(json GIT_REPOSITORY https://github.com/nlohmann/json.git GIT_TAG v3.11.2)
-  FetchContent_MakeAvailable(json)
+  hsr_fetch(json https://github.com/nlohmann/json.git v3.11.2)
 endif()
 hsr_alias(json nlohmann_json::nlohmann_json)
 
 # Command line.
 find_package(CLI11 QUIET CONFIG)
 if(NOT TARGET CLI11::CLI11)
-  FetchContent_Declare(cli11 GIT_REPOSITORY https://github.com/CLIUtils/CLI11.git GIT_TAG v2.1.2)
-  FetchContent_MakeAvailable(cli11)
+  hsr_fetch(cli11 https://github.com/CLIUtils/CLI11.git v2.1.2)
 endif()
 hsr_alias(cli11 CLI11::CLI11)
 
-# Compressed files.
-find_package(ZLIB QUIET)
-if(NOT TARGET ZLIB::ZLIB)
-  FetchContent_Declare(zlib GIT_REPOSITORY https://github.com/madler/zlib.git GIT_TAG v1.3.1)
-  FetchContent_MakeAvailable(zlib)
-  target_include_directories(zlibstatic INTERFACE ${zlib_SOURCE_DIR} ${zlib_BINARY_DIR})
-endif()
-hsr_alias(zlib ZLIB::ZLIB zlibstatic)
-
-# PNG files (single header).
+# PNG files: a header without a build of its own, included as <stb/stb_image_write.h>.
 find_path(STB_INCLUDE_DIR stb/stb_image_write.h)
 if(NOT STB_INCLUDE_DIR)
-  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git
-                       GIT_TAG 8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55
-                       SOURCE_SUBDIR none
-                       SOURCE_DIR ${CMAKE_BINARY_DIR}/_deps/stb-parent/stb)
-  FetchContent_MakeAvailable(stb)
-  set(STB_INCLUDE_DIR ${CMAKE_BINARY_DIR}/_deps/stb-parent CACHE PATH "" FORCE)
+  set(stb_parent ${CMAKE_BINARY_DIR}/_deps/stb-parent)
+  hsr_fetch(stb https://github.com/nothings/stb.git 8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55
+            SOURCE_SUBDIR none SOURCE_DIR ${stb_parent}/stb)
+  set(STB_INCLUDE_DIR ${stb_parent} CACHE PATH "" FORCE)
 endif()
 add_library(stb_headers INTERFACE)
 target_include_directories(stb_headers SYSTEM INTERFACE ${STB_INCLUDE_DIR})
@@ -98,11 +105,10 @@ target_link_libraries(gmp_libraries INTERFACE ${GMPXX_LIBRARY} ${GMP_LIBRARY})
 hsr_alias(gmp gmp_libraries)
 
 # Tests.
-if(BUILD_TESTING OR NOT DEFINED BUILD_TESTING)
+if(BUILD_TESTING)
   find_package(doctest QUIET CONFIG)
   if(NOT TARGET doctest::doctest)
-    FetchContent_Declare(doctest GIT_REPOSITORY https://github.com/doctest/doctest.git GIT_TAG v2.4.9)
-    FetchContent_MakeAvailable(doctest)
+    hsr_fetch(doctest https://github.com/doctest/doctest.git v2.4.9)
     list(APPEND CMAKE_MODULE_PATH ${doctest_SOURCE_DIR}/scripts/cmake)
   endif()
   hsr_alias(doctest doctest::doctest doctest)
