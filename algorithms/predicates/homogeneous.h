@@ -19,6 +19,10 @@ struct Projection {
   double far_depth = 0.0;                       ///< eye depth, scene units, above near_depth
 };
 
+/// The sample coordinates a, b of the centre of column i, row j of a picture.
+inline double centre_a(int width, int i) { return 2.0 * i + 1.0 - width; }
+inline double centre_b(int height, int j) { return height - 2.0 * j - 1.0; }
+
 /// A vector of the three homogeneous coordinates that matter for visibility: clip x, y and w.
 template <class Number>
 using Homogeneous = std::array<Number, 3>;

@@ -23,6 +23,12 @@ std::vector<glm::vec4> surface_colors(const Scene& scene, int threads);
 /// leaves visible.
 glm::vec3 palette_color(std::uint32_t face);
 
+/// A premultiplied colour as if the surface were opaque. A surface of opacity 0 is black.
+inline glm::vec4 opaque(const glm::vec4& color) {
+  if (!(color.a > 0.0F)) return {0.0F, 0.0F, 0.0F, 1.0F};
+  return {glm::vec3(color) / color.a, 1.0F};
+}
+
 /// `front` over `back`, both premultiplied (Porter and Duff 1984).
 inline glm::vec4 over(const glm::vec4& front, const glm::vec4& back) {
   return front + (1.0F - front.a) * back;

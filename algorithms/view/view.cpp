@@ -27,16 +27,22 @@ void check_size(const char* name, int size) {
   }
 }
 
-void check_finite(const char* name, const glm::dvec3& vector) {
-  if (!std::isfinite(vector.x) || !std::isfinite(vector.y) || !std::isfinite(vector.z)) {
-    throw UsageError(std::string(name) + ": every coordinate must be a finite number");
+// Scenes end at 3.4e38. Up to this size no product of a camera's and a scene's numbers overflows.
+constexpr double greatest_coordinate = 1e60;
+
+void check_coordinates(const char* name, const glm::dvec3& vector) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(vector[axis]) <= greatest_coordinate)) {
+      throw UsageError(std::string(name) + ": coordinate " + text(vector[axis]) +
+                       " is out of range (-1e60 to 1e60)");
+    }
   }
 }
 
 void check_camera(const Camera& camera) {
-  check_finite("eye", camera.eye);
-  check_finite("target", camera.target);
-  check_finite("up", camera.up);
+  check_coordinates("eye", camera.eye);
+  check_coordinates("target", camera.target);
+  check_coordinates("up", camera.up);
   // From 0.001 to 179.9 degrees the canvas and its inverse stay well within what doubles can tell.
   if (!(camera.vertical_fov_degrees >= 0.001 && camera.vertical_fov_degrees <= 179.9)) {
     throw UsageError("fov: " + text(camera.vertical_fov_degrees) +
@@ -57,11 +63,12 @@ void check_camera(const Camera& camera) {
 }
 
 void check_depth_range(const View& view) {
-  const bool possible = std::isfinite(view.near_depth) && std::isfinite(view.far_depth) &&
-                        view.near_depth > 0.0 && view.far_depth > view.near_depth;
+  constexpr double least_depth = 1.0 / greatest_coordinate;
+  const bool possible = view.near_depth >= least_depth && view.far_depth > view.near_depth &&
+                        view.far_depth <= greatest_coordinate;
   if (!possible) {
     throw UsageError("near, far: " + text(view.near_depth) + ", " + text(view.far_depth) +
-                     " is no depth range (0 < near < far)");
+                     " is no depth range (1e-60 <= near < far <= 1e60)");
   }
 }
 

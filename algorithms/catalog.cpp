@@ -1,0 +1,33 @@
+// The one table of all algorithms. A row is an algorithm's description; adding one takes a folder
+// with its sources and a line here.
+
+#include <array>
+
+#include "algorithm.h"
+#include "none/none.h"
+#include "painter/painter.h"
+#include "raycast/raycast.h"
+#include "zbuffer/zbuffer.h"
+
+namespace hsr {
+
+std::span<const Algorithm* const> algorithm_catalog() {
+  static const std::array rows = {
+      &none_algorithm(),
+      &painter_algorithm(),
+      &zbuffer_algorithm(),
+      &raycast_algorithm(),
+  };
+  return rows;
+}
+
+const Algorithm* find_algorithm(std::string_view name) {
+  for (const Algorithm* algorithm : algorithm_catalog()) {
+    if (algorithm->name == name) return algorithm;
+  }
+  return nullptr;
+}
+
+const Algorithm& default_algorithm() { return zbuffer_algorithm(); }
+
+}  // namespace hsr

@@ -1,0 +1,113 @@
+// Painter's algorithm: sort by one depth per triangle, paint from far to near.
+//
+//   1. Give every triangle one number, its sort key: a depth of one of its points.
+//   2. Sort the triangles by their keys, the farthest first.
+//   3. Paint them in that order; each covers what was painted before.
+//
+// One number cannot tell which of two triangles hides the other: where they overlap in a cycle or
+// cross, no order is right, and where a large triangle stands beside a small one, the key is often
+// that of the wrong point. Newell's algorithm repairs the order; this one shows why it must.
+//
+// Source: Newell, Newell and Sancha 1972 (the sort that they start from); named and reviewed in
+// Sutherland, Sproull and Schumacker 1974, section 5.
+
+#include "painter/painter.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "painting.h"
+#include "skips.h"
+#include "view/shading.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> key_choices = {"farthest", "nearest", "mean", "centroid-distance"};
+constexpr std::array settings = {
+    Setting{"key",
+            "the depth that stands for a triangle: of its farthest or nearest corner, the mean of its three, "
+            "or the distance from the eye to its centroid",
+            key_choices}};
+constexpr std::array skips = {off_screen_skip, between_centres_skip};
+
+using Corners = std::array<glm::dvec3, 3>;
+
+double eye_depth(const View& view, const glm::dvec3& world) {
+  return (view.clip_from_world * glm::dvec4(world, 1.0)).w;
+}
+
+double sort_key(const View& view, const Corners& corner, std::string_view key) {
+  if (key == "centroid-distance") {
+    return glm::length((corner[0] + corner[1] + corner[2]) / 3.0 - view.camera.eye);
+  }
+  const std::array<double, 3> depth = {eye_depth(view, corner[0]), eye_depth(view, corner[1]),
+                                       eye_depth(view, corner[2])};
+  if (key == "nearest") return *std::ranges::min_element(depth);
+  if (key == "mean") return (depth[0] + depth[1] + depth[2]) / 3.0;
+  return *std::ranges::max_element(depth);
+}
+
+class Painter : public Renderer {
+ public:
+  Painter(const Scene& scene, const Settings& chosen, int threads)
+      : key_(chosen.find("key")->second), colors_(surface_colors(scene, threads)) {}
+
+  RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    RenderReport report;
+    const ScreenTriangles set_up = set_up_with_skips(view, options, report);
+
+    // 1. Give every triangle one number.
+    std::vector<double> keys(set_up.triangles.size());
+    for (std::size_t index = 0; index < keys.size(); ++index) {
+      const Triangle& triangle = view.scene->triangles[set_up.triangles[index].id];
+      Corners corner;
+      for (std::size_t k = 0; k < 3; ++k) corner[k] = view.scene->positions[triangle.corners[k]];
+      keys[index] = sort_key(view, corner, key_);
+    }
+
+    // 2. Sort, the farthest first. Equal keys keep the file's order.
+    std::vector<std::uint32_t> order(keys.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::stable_sort(order, [&](std::uint32_t p, std::uint32_t q) { return keys[p] > keys[q]; });
+
+    // 3. Paint in that order.
+    paint_in_order(view, set_up, order, colors_, options, report, frame);
+    report.bytes += keys.size() * (sizeof(double) + 2 * sizeof(std::uint32_t));
+    return report;
+  }
+
+ private:
+  std::string key_;
+  std::vector<glm::vec4> colors_;
+};
+
+std::unique_ptr<Renderer> prepare(const Scene& scene, const Settings& chosen, const RenderOptions& options) {
+  return std::make_unique<Painter>(scene, chosen, options.threads);
+}
+
+}  // namespace
+
+const Algorithm& painter_algorithm() {
+  static const Algorithm row = {
+      .name = "painter",
+      .title = "Painter's algorithm",
+      .idea = "Sort the triangles by one depth each and paint them from far to near.",
+      .source = "Newell, Newell and Sancha 1972; Sutherland, Sproull and Schumacker 1974",
+      .variant_of = "",
+      .traits = {.time = "n log n + n d",
+                 .memory = "a key and an index per triangle",
+                 .transparency = "blended in paint order",
+                 .cycles = "wrong",
+                 .exact = false},
+      .settings = settings,
+      .skips = skips,
+      .prepare = prepare,
+  };
+  return row;
+}
+
+}  // namespace hsr

@@ -1,0 +1,91 @@
+#include "painting.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "bands.h"
+#include "parallel.h"
+#include "predicates/sample_predicates.h"
+#include "view/shading.h"
+
+namespace hsr {
+
+namespace {
+
+// Remembers which triangle was painted last at each pixel of a band, so that the depth, which only
+// the last one leaves, is computed once.
+using LastPainted = std::vector<std::uint32_t>;
+constexpr std::uint32_t nothing_painted = background_id;
+
+void show_depth_and_id(const View& view, const ScreenTriangles& set_up, Band band,
+                       const LastPainted& last_painted, SamplePredicates& predicates, Frame& frame) {
+  for (int j = band.first; j < band.last; ++j) {
+    for (int i = 0; i < view.width; ++i) {
+      const std::size_t in_band =
+          static_cast<std::size_t>(j - band.first) * static_cast<std::size_t>(view.width) +
+          static_cast<std::size_t>(i);
+      if (last_painted[in_band] == nothing_painted) continue;
+      const SampleTriangle& triangle = set_up.triangles[last_painted[in_band]];
+      const std::size_t pixel = frame.index(i, j);
+      frame.id[pixel] = triangle.id;
+      frame.depth[pixel] =
+          predicates.nearest_float_depth(triangle, centre_a(view.width, i), centre_b(view.height, j));
+    }
+  }
+}
+
+std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, std::uint32_t index, Band band,
+                             const glm::vec4& color, SamplePredicates& predicates, LastPainted& last_painted,
+                             Frame& frame) {
+  const SampleTriangle& triangle = set_up.triangles[index];
+  const PixelBox& box = set_up.boxes[index];
+  std::uint64_t painted = 0;
+  for (int j = std::max(box.first_j, band.first); j <= std::min(box.last_j, band.last - 1); ++j) {
+    const double b = centre_b(view.height, j);
+    const std::size_t row = frame.index(0, j);
+    const std::size_t row_in_band =
+        static_cast<std::size_t>(j - band.first) * static_cast<std::size_t>(view.width);
+    for (int i = box.first_i; i <= box.last_i; ++i) {
+      if (!predicates.covers(triangle, centre_a(view.width, i), b)) continue;
+      const auto column = static_cast<std::size_t>(i);
+      frame.color[row + column] = over(color, frame.color[row + column]);
+      last_painted[row_in_band + column] = index;
+      ++painted;
+    }
+  }
+  return painted;
+}
+
+}  // namespace
+
+void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
+                    const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
+                    Frame& frame) {
+  const Bands bands(view.height, options.threads);
+  std::atomic<std::uint64_t> fragments = 0;
+  std::atomic<std::uint64_t> exact_evaluations = 0;
+  std::atomic<int> bands_done = 0;
+  std::atomic<bool> going = true;
+  parallel_for(bands.count(), options.threads, [&](int index) {
+    if (!going) return;
+    const Band band = bands[index];
+    SamplePredicates predicates(projection_of(view), *view.scene);
+    LastPainted last_painted(
+        static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width),
+        nothing_painted);
+    std::uint64_t painted = 0;
+    for (const std::uint32_t triangle : order) {
+      painted += paint_triangle(view, set_up, triangle, band, colors[set_up.triangles[triangle].id],
+                                predicates, last_painted, frame);
+    }
+    show_depth_and_id(view, set_up, band, last_painted, predicates, frame);
+    fragments += painted;
+    exact_evaluations += predicates.exact_evaluations();
+    const double done = static_cast<double>(++bands_done) / bands.count();
+    if (!report_progress(options.progress, "rendering", done)) going = false;
+  });
+  report.counters["fragments"] += fragments;
+  report.counters["exact_evaluations"] += exact_evaluations;
+}
+
+}  // namespace hsr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "algorithm.h"
+#include "view/screen_triangles.h"
+
+namespace hsr {
+
+/// Paints triangles one over the other: at each pixel's centre that a triangle covers, its colour
+/// goes over what is there and its id and depth replace what was there. No depth is compared.
+///
+/// `order` holds indices into `set_up.triangles`; the first is painted first. `colors` are
+/// premultiplied, by id. Adds to the report's counters. Pixels that nothing covers keep what they
+/// have.
+void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
+                    const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
+                    Frame& frame);
+
+}  // namespace hsr

@@ -1,0 +1,198 @@
+// Ray casting: from the pixel to the object.
+//
+//   1. For each pixel, take the ray from the eye through its centre.
+//   2. Find the triangles that the ray may meet: all of them (structure=none), or those in the boxes
+//      of a hierarchy that it enters, near to far (structure=bvh).
+//   3. Test each of them: does the ray meet it, between near and far, and at which depth?
+//   4. Keep the nearest. Of equal depths the lowest id.
+//
+// With test=exact step 3 asks the same exact predicates as the z-buffer does; the other two tests are
+// the ones that renderers use, in float, and show what that costs.
+//
+// Source: Appel 1968, Some Techniques for Shading Machine Renderings of Solids; hierarchy: Kay and
+// Kajiya 1986 (slabs), Wald 2007 (bins); tests: Möller and Trumbore 1997, Woop, Benthin and Wald 2013.
+
+#include "raycast/raycast.h"
+
+#include <array>
+#include <atomic>
+
+#include "bands.h"
+#include "parallel.h"
+#include "raycast/bvh.h"
+#include "raycast/bvh_traversal.h"
+#include "raycast/eye_rays.h"
+#include "raycast/nearest_hit.h"
+#include "skips.h"
+#include "view/shading.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> test_choices = {"exact", "watertight", "moller-trumbore"};
+constexpr std::array<std::string_view, 2> structure_choices = {"bvh", "none"};
+constexpr std::array settings = {
+    Setting{"test", "how a ray is tested against a triangle: exactly, or in float", test_choices},
+    Setting{"structure",
+            "how candidates are found: a bounding-volume hierarchy, or every triangle for every ray",
+            structure_choices}};
+constexpr Skip farther_boxes_skip = {
+    "farther-boxes", "boxes of the hierarchy that begin behind the nearest hit so far are not opened"};
+constexpr std::array skips = {off_screen_skip, between_centres_skip, farther_boxes_skip};
+
+// All triangles, in id order.
+class EveryTriangle {
+ public:
+  explicit EveryTriangle(const Scene& scene) : count_(static_cast<std::uint32_t>(scene.triangles.size())) {}
+
+  template <class NearestHit>
+  void visit(const Ray&, NearestHit& hit) const {
+    for (std::uint32_t id = 0; id < count_; ++id) hit.test(id);
+  }
+  TraversalCounts counts;
+
+ private:
+  std::uint32_t count_;
+};
+
+// A NearestHit that never says that a box is too far away.
+template <class NearestHit>
+struct WithoutCutoff {
+  NearestHit& hit;
+  void test(std::uint32_t id) { hit.test(id); }
+  static double cutoff() { return std::numeric_limits<double>::infinity(); }
+};
+
+class RayCaster : public Renderer {
+ public:
+  RayCaster(const Scene& scene, const Settings& chosen, const RenderOptions& options)
+      : test_(chosen.find("test")->second), colors_(surface_colors(scene, options.threads)) {
+    report_progress(options.progress, "building the hierarchy", 0.0);
+    if (chosen.find("structure")->second == "bvh") hierarchy_ = BoundingVolumeHierarchy(scene);
+  }
+
+  RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    RenderReport report;
+    report.bytes = hierarchy_.bytes();
+    if (test_ == "exact") {
+      const ScreenTriangles set_up = set_up_with_skips(view, options, report);
+      std::vector<std::uint32_t> place(view.scene->triangles.size(), background_id);
+      for (std::uint32_t index = 0; index < set_up.triangles.size(); ++index) {
+        place[set_up.triangles[index].id] = index;
+      }
+      report.bytes += place.size() * sizeof(std::uint32_t);
+      cast(
+          view, options, [&] { return ExactNearestHit(view, set_up, place); }, report, frame);
+    } else {
+      const bool watertight = test_ == "watertight";
+      cast(
+          view, options, [&] { return FloatNearestHit(view, watertight); }, report, frame);
+    }
+    return report;
+  }
+
+ private:
+  // Calls `make_hit` once per band, for the thread that works on it.
+  template <class MakeHit>
+  void cast(const View& view, const RenderOptions& options, MakeHit make_hit, RenderReport& report,
+            Frame& frame) {
+    const EyeRays rays(view);
+    const double margin = hierarchy_.empty() ? 0.0 : margin_of(view, rays);
+    const Bands bands(view.height, 4 * options.threads);
+    std::atomic<std::uint64_t> exact_evaluations = 0;
+    std::atomic<std::uint64_t> boxes_tested = 0;
+    std::atomic<std::uint64_t> boxes_farther = 0;
+    std::atomic<int> bands_done = 0;
+    std::atomic<bool> going = true;
+    parallel_for(bands.count(), options.threads, [&](int index) {
+      if (!going) return;
+      auto hit = make_hit();
+      const auto cast_with = [&](auto structure) {
+        cast_band(view, rays, bands[index], options.uses(farther_boxes_skip.name), structure, hit, frame);
+        boxes_tested += structure.counts.boxes_tested;
+        boxes_farther += structure.counts.boxes_farther;
+      };
+      if (hierarchy_.empty()) {
+        cast_with(EveryTriangle(*view.scene));
+      } else {
+        cast_with(BvhTraversal(hierarchy_, margin, view.near_depth, view.far_depth));
+      }
+      exact_evaluations += hit.exact_evaluations();
+      const double done = static_cast<double>(++bands_done) / bands.count();
+      if (!report_progress(options.progress, "rendering", done)) going = false;
+    });
+    report.counters["exact_evaluations"] += exact_evaluations;
+    report.counters["boxes_tested"] = boxes_tested;
+    report.skipped[std::string(farther_boxes_skip.name)] = boxes_farther;
+  }
+
+  template <class Structure, class NearestHit>
+  void cast_band(const View& view, const EyeRays& rays, Band band, bool use_cutoff, Structure& structure,
+                 NearestHit& hit, Frame& frame) {
+    for (int j = band.first; j < band.last; ++j) {
+      for (int i = 0; i < view.width; ++i) {
+        // 1. The ray from the eye through the pixel's centre.
+        const double a = centre_a(view.width, i);
+        const double b = centre_b(view.height, j);
+        const Ray ray = rays.through(a, b);
+        hit.start(a, b, ray);
+        // 2., 3. Test the triangles that it may meet.
+        if (use_cutoff) {
+          structure.visit(ray, hit);
+        } else {
+          WithoutCutoff<NearestHit> every_box{hit};
+          structure.visit(ray, every_box);
+        }
+        // 4. Show the nearest.
+        if (hit.id() == background_id) continue;
+        const std::size_t pixel = frame.index(i, j);
+        frame.id[pixel] = hit.id();
+        frame.depth[pixel] = hit.eye_depth();
+        frame.color[pixel] = opaque(colors_[hit.id()]);
+      }
+    }
+  }
+
+  // The float tests see the eye and the direction rounded once more, to float; their rays may lie
+  // that much farther off, and what they meet there must not be missed.
+  double margin_of(const View& view, const EyeRays& rays) const {
+    double margin = rays.margin();
+    if (test_ != "exact") {
+      constexpr double rounding_to_float = 0x1p-20;  // relative: 2^-24 each for a dozen operations
+      margin += rounding_to_float * rays.greatest_coordinate(view.far_depth);
+    }
+    return BvhTraversal::widened_margin(hierarchy_, margin);
+  }
+
+  std::string test_;
+  BoundingVolumeHierarchy hierarchy_;
+  std::vector<glm::vec4> colors_;
+};
+
+std::unique_ptr<Renderer> prepare(const Scene& scene, const Settings& chosen, const RenderOptions& options) {
+  return std::make_unique<RayCaster>(scene, chosen, options);
+}
+
+}  // namespace
+
+const Algorithm& raycast_algorithm() {
+  static const Algorithm row = {
+      .name = "raycast",
+      .title = "Ray casting",
+      .idea = "Ask for each pixel which triangle its ray meets first.",
+      .source = "Appel 1968; Kay and Kajiya 1986; Wald 2007; Woop, Benthin and Wald 2013",
+      .variant_of = "",
+      .traits = {.time = "n log n to prepare, then p log n",
+                 .memory = "a tree of boxes",
+                 .transparency = "taken as opaque",
+                 .cycles = "right",
+                 .exact = true},
+      .settings = settings,
+      .skips = skips,
+      .prepare = prepare,
+  };
+  return row;
+}
+
+}  // namespace hsr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "algorithm.h"
+#include "view/screen_triangles.h"
+
+namespace hsr {
+
+/// The skips of set_up_screen_triangles, for the catalogue rows of every algorithm that uses it.
+inline constexpr Skip off_screen_skip = {
+    "off-screen", "triangles that lie wholly outside the picture or the depth range are not set up"};
+inline constexpr Skip between_centres_skip = {
+    "between-centres", "triangles so small that they fall between the centres of the pixels are not set up"};
+
+/// Sets up the view's triangles as the options allow and reports what was left out.
+inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options,
+                                         RenderReport& report) {
+  const ScreenSkips skips = {options.uses(off_screen_skip.name), options.uses(between_centres_skip.name)};
+  ScreenTriangles set_up = set_up_screen_triangles(view, skips, options.threads);
+  report.skipped[std::string(off_screen_skip.name)] = set_up.off_screen;
+  report.skipped[std::string(between_centres_skip.name)] = set_up.between_centres;
+  report.counters["exact_evaluations"] = set_up.exact_evaluations;
+  report.bytes += set_up.triangles.capacity() * sizeof(SampleTriangle) +
+                  set_up.boxes.capacity() * sizeof(PixelBox) +
+                  view.scene->positions.size() * sizeof(Homogeneous<Bounded>);
+  return set_up;
+}
+
+}  // namespace hsr

@@ -1,0 +1,281 @@
+// The z-buffer: for every pixel remember how near the nearest surface so far is.
+//
+//   1. Clear the picture to the background and every pixel's depth to "nothing yet".
+//   2. Take the triangles one after the other, in any order (here: file order).
+//   3. For each pixel whose centre the triangle covers,
+//   4. compute the triangle's depth there.
+//   5. If it is nearer than the stored depth, store it, and the triangle's colour with it.
+//
+// With depth=exact step 5 compares exactly: doubles with a proven bound settle nearly every pixel,
+// exact arithmetic the rest, and of equal depths the lowest id stays, as it came first. The other
+// formats round the depth before they store it, as hardware does, and show what that costs.
+//
+// Source: Catmull 1974, A Subdivision Algorithm for Computer Display of Curved Surfaces, chapter 4;
+// depth formats: Lapidous and Jiao 1999, Reed 2015 (reversed).
+
+#include "zbuffer/zbuffer.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
+
+#include "bands.h"
+#include "parallel.h"
+#include "predicates/sample_predicates.h"
+#include "skips.h"
+#include "view/shading.h"
+#include "zbuffer/depth_format.h"
+#include "zbuffer/snapped_triangle.h"
+
+namespace hsr {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> depth_choices = {"exact",   "eye",     "reversed32",
+                                                           "float32", "unorm24", "unorm16"};
+constexpr std::array<std::string_view, 1> snap_choices = {"none"};
+constexpr std::array<std::string_view, 2> transparency_choices = {"opaque", "blend"};
+constexpr std::array settings = {
+    Setting{"depth", "what is stored per pixel: the exact depth, or one rounded to a format", depth_choices},
+    Setting{"snap", "corners rounded to a grid of 2^-snap pixels, as hardware does, or not", snap_choices,
+            Setting::Range{2, 16}},
+    Setting{"transparency",
+            "every surface opaque, or blended over what is there as it comes, depth written all the same",
+            transparency_choices}};
+constexpr std::array skips = {off_screen_skip, between_centres_skip};
+
+constexpr std::uint32_t nothing = background_id;
+
+// Coverage and depth from the triangles as they are, by exact predicates.
+class ExactTriangles {
+ public:
+  explicit ExactTriangles(const ScreenTriangles& set_up) : set_up_(set_up) {}
+
+  std::size_t count() const { return set_up_.triangles.size(); }
+  std::uint32_t id(std::size_t index) const { return set_up_.triangles[index].id; }
+  const PixelBox& box(std::size_t index) const { return set_up_.boxes[index]; }
+  const SampleTriangle& triangle(std::size_t index) const { return set_up_.triangles[index]; }
+  bool covers(std::size_t index, double a, double b, SamplePredicates& predicates) const {
+    return predicates.covers(set_up_.triangles[index], a, b);
+  }
+  double inverse_depth(std::size_t index, double a, double b) const {
+    return set_up_.triangles[index].inverse_depth.at(a, b);
+  }
+
+ private:
+  const ScreenTriangles& set_up_;
+};
+
+// Coverage and depth from triangles whose corners lie on the grid of `snap`.
+class SnappedTriangles {
+ public:
+  explicit SnappedTriangles(const std::vector<SnappedTriangle>& triangles) : triangles_(triangles) {}
+
+  std::size_t count() const { return triangles_.size(); }
+  std::uint32_t id(std::size_t index) const { return triangles_[index].id; }
+  const PixelBox& box(std::size_t index) const { return triangles_[index].box; }
+  bool covers(std::size_t index, double a, double b, SamplePredicates&) const {
+    return triangles_[index].covers(a, b);
+  }
+  double inverse_depth(std::size_t index, double a, double b) const {
+    return triangles_[index].inverse_depth(a, b);
+  }
+
+ private:
+  const std::vector<SnappedTriangle>& triangles_;
+};
+
+// One depth per pixel of a band: which triangle is the nearest, compared exactly.
+class ExactDepths {
+ public:
+  ExactDepths(std::size_t pixels, const ExactTriangles& triangles, SamplePredicates& predicates)
+      : nearest_(pixels, nothing), triangles_(triangles), predicates_(predicates) {}
+
+  bool store_if_nearer(std::size_t pixel, std::uint32_t index, double a, double b) {
+    std::uint32_t& stored = nearest_[pixel];
+    if (stored != nothing &&
+        predicates_.compare_depth(triangles_.triangle(index), triangles_.triangle(stored), a, b) >= 0) {
+      return false;
+    }
+    stored = index;
+    return true;
+  }
+  std::uint32_t index(std::size_t pixel) const { return nearest_[pixel]; }
+  float eye_depth(std::size_t pixel, double a, double b) const {
+    return predicates_.nearest_float_depth(triangles_.triangle(nearest_[pixel]), a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> nearest_;
+  const ExactTriangles& triangles_;
+  SamplePredicates& predicates_;
+};
+
+// One depth per pixel of a band, rounded to a format.
+template <class Triangles>
+class StoredDepths {
+ public:
+  StoredDepths(std::size_t pixels, const Triangles& triangles, const DepthCodec& codec)
+      : nearest_(pixels, nothing),
+        depth_(pixels, std::numeric_limits<double>::infinity()),
+        triangles_(triangles),
+        codec_(codec) {}
+
+  bool store_if_nearer(std::size_t pixel, std::uint32_t index, double a, double b) {
+    const double depth = codec_.stored(triangles_.inverse_depth(index, a, b));
+    if (!(depth < depth_[pixel])) return false;
+    depth_[pixel] = depth;
+    nearest_[pixel] = index;
+    return true;
+  }
+  std::uint32_t index(std::size_t pixel) const { return nearest_[pixel]; }
+  float eye_depth(std::size_t pixel, double, double) const {
+    constexpr double greatest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::min(codec_.eye_depth(depth_[pixel]), greatest));
+  }
+
+ private:
+  std::vector<std::uint32_t> nearest_;
+  std::vector<double> depth_;
+  const Triangles& triangles_;
+  DepthCodec codec_;
+};
+
+class ZBuffer : public Renderer {
+ public:
+  ZBuffer(const Scene& scene, const Settings& chosen, int threads)
+      : depth_(chosen.find("depth")->second),
+        snap_bits_(chosen.find("snap")->second == "none" ? 0 : std::stoi(chosen.find("snap")->second)),
+        blend_(chosen.find("transparency")->second == "blend"),
+        colors_(surface_colors(scene, threads)) {}
+
+  RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    RenderReport report;
+    RenderOptions allowed = options;
+    // A triangle between pixel centres may reach one when its corners are rounded.
+    if (snap_bits_ != 0) allowed.skips_off.insert(std::string(between_centres_skip.name));
+    const ScreenTriangles set_up = set_up_with_skips(view, allowed, report);
+    if (snap_bits_ != 0) {
+      const std::vector<SnappedTriangle> snapped = snap_triangles(view, set_up, snap_bits_);
+      report.bytes += snapped.capacity() * sizeof(SnappedTriangle);
+      render_bands(view, SnappedTriangles(snapped), options, report, frame);
+    } else {
+      render_bands(view, ExactTriangles(set_up), options, report, frame);
+    }
+    return report;
+  }
+
+ private:
+  template <class Triangles>
+  void render_bands(const View& view, const Triangles& triangles, const RenderOptions& options,
+                    RenderReport& report, Frame& frame) {
+    const Bands bands(view.height, options.threads);
+    std::atomic<std::uint64_t> fragments = 0;
+    std::atomic<std::uint64_t> exact_evaluations = 0;
+    std::atomic<int> bands_done = 0;
+    std::atomic<bool> going = true;
+    parallel_for(bands.count(), options.threads, [&](int index) {
+      if (!going) return;
+      SamplePredicates predicates(projection_of(view), *view.scene);
+      fragments += render_band(view, triangles, bands[index], predicates, frame);
+      exact_evaluations += predicates.exact_evaluations();
+      const double done = static_cast<double>(++bands_done) / bands.count();
+      if (!report_progress(options.progress, "rendering", done)) going = false;
+    });
+    report.counters["fragments"] = fragments;
+    report.counters["exact_evaluations"] += exact_evaluations;
+    report.bytes += frame.pixel_count() * (depth_ == "exact" ? 4 : 12);
+  }
+
+  // 1. Clear every pixel's depth; the frame comes cleared.
+  template <class Triangles>
+  std::uint64_t render_band(const View& view, const Triangles& triangles, Band band,
+                            SamplePredicates& predicates, Frame& frame) {
+    const std::size_t pixels =
+        static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width);
+    if constexpr (std::is_same_v<Triangles, ExactTriangles>) {
+      if (depth_ == "exact") {
+        return fill(view, triangles, band, ExactDepths(pixels, triangles, predicates), predicates, frame);
+      }
+    }
+    // Snapped triangles have no exact depth of their own: their "exact" is unrounded eye depth.
+    const DepthFormat format = depth_ == "exact" ? DepthFormat::unrounded : depth_format(depth_);
+    const DepthCodec codec(format, view.near_depth, view.far_depth);
+    return fill(view, triangles, band, StoredDepths<Triangles>(pixels, triangles, codec), predicates, frame);
+  }
+
+  template <class Triangles, class Depths>
+  std::uint64_t fill(const View& view, const Triangles& triangles, Band band, Depths depths,
+                     SamplePredicates& predicates, Frame& frame) {
+    std::uint64_t fragments = 0;
+    // 2. Take the triangles one after the other.
+    for (std::size_t index = 0; index < triangles.count(); ++index) {
+      const PixelBox& box = triangles.box(index);
+      const glm::vec4& color = colors_[triangles.id(index)];
+      // 3. For each pixel whose centre the triangle covers
+      for (int j = std::max(box.first_j, band.first); j <= std::min(box.last_j, band.last - 1); ++j) {
+        const double b = centre_b(view.height, j);
+        for (int i = box.first_i; i <= box.last_i; ++i) {
+          const double a = centre_a(view.width, i);
+          if (!triangles.covers(index, a, b, predicates)) continue;
+          ++fragments;
+          // 4., 5. compare its depth there with the stored one.
+          const std::size_t pixel = frame.index(i, j) - frame.index(0, band.first);
+          if (!depths.store_if_nearer(pixel, static_cast<std::uint32_t>(index), a, b)) continue;
+          if (blend_) frame.color[frame.index(i, j)] = over(color, frame.color[frame.index(i, j)]);
+        }
+      }
+    }
+    show(view, triangles, band, depths, frame);
+    return fragments;
+  }
+
+  // What is stored at the end is what is seen.
+  template <class Triangles, class Depths>
+  void show(const View& view, const Triangles& triangles, Band band, const Depths& depths, Frame& frame) {
+    for (int j = band.first; j < band.last; ++j) {
+      for (int i = 0; i < view.width; ++i) {
+        const std::size_t pixel = frame.index(i, j);
+        const std::size_t in_band = pixel - frame.index(0, band.first);
+        if (depths.index(in_band) == nothing) continue;
+        const std::uint32_t id = triangles.id(depths.index(in_band));
+        frame.id[pixel] = id;
+        frame.depth[pixel] = depths.eye_depth(in_band, centre_a(view.width, i), centre_b(view.height, j));
+        if (!blend_) frame.color[pixel] = opaque(colors_[id]);
+      }
+    }
+  }
+
+  std::string depth_;
+  int snap_bits_;
+  bool blend_;
+  std::vector<glm::vec4> colors_;
+};
+
+std::unique_ptr<Renderer> prepare(const Scene& scene, const Settings& chosen, const RenderOptions& options) {
+  return std::make_unique<ZBuffer>(scene, chosen, options.threads);
+}
+
+}  // namespace
+
+const Algorithm& zbuffer_algorithm() {
+  static const Algorithm row = {
+      .name = "zbuffer",
+      .title = "Z-buffer",
+      .idea = "Keep the nearest depth of every pixel and paint only what is nearer.",
+      .source = "Catmull 1974, chapter 4; Lapidous and Jiao 1999 for depth formats",
+      .variant_of = "",
+      .traits = {.time = "n + n d",
+                 .memory = "a depth per pixel",
+                 .transparency = "taken as opaque, or blended in file order",
+                 .cycles = "right",
+                 .exact = true},
+      .settings = settings,
+      .skips = skips,
+      .prepare = prepare,
+  };
+  return row;
+}
+
+}  // namespace hsr
