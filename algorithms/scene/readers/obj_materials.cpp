@@ -1,0 +1,100 @@
+#include "scene/readers/obj_materials.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "scene/readers/file_bytes.h"
+#include "scene/readers/text_lines.h"
+
+namespace hsr {
+
+namespace fs = std::filesystem;
+
+std::uint32_t ObjMaterials::use(std::string_view name, const Place& place) {
+  const auto known = slot_of_name_.find(name);
+  if (known != slot_of_name_.end()) {
+    return known->second;
+  }
+  const auto slot = static_cast<std::uint32_t>(slots_.size());
+  slots_.push_back({std::string(name), place});
+  slot_of_name_.emplace(name, slot);
+  return slot;
+}
+
+/// Looks for a library beside the OBJ file, also with Windows' separators and compressed. Only a
+/// regular file will do: a device might never end.
+bool ObjMaterials::find_file(std::string_view name, fs::path& found) const {
+  std::string portable(name);
+  std::replace(portable.begin(), portable.end(), '\\', '/');
+  for (const std::string& candidate : {std::string(name), portable, portable + ".gz"}) {
+    std::error_code error;
+    found = input_.file.parent_path() / candidate;
+    if (fs::is_regular_file(found, error)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void ObjMaterials::add_library(const fs::path& file) {
+  if (!libraries_.insert(file).second) {
+    return;
+  }
+  const std::string bytes = file_bytes(file, input_.progress);
+  Warnings warnings(file.string());
+  read_mtl(Input{file, bytes, input_.progress, warnings}, library_);
+  input_.warnings.append(warnings);
+}
+
+void ObjMaterials::add_libraries(std::string_view names, const Place& place) {
+  std::vector<std::string_view> wanted{names};
+  fs::path file;
+  if (!find_file(names, file)) {
+    wanted.clear();
+    TextLines words(names);
+    while (words.next_line()) {
+      for (std::string_view name = words.word(); !name.empty(); name = words.word()) {
+        wanted.push_back(name);
+      }
+    }
+  }
+  for (const std::string_view name : wanted) {
+    std::string reason = "no such file";
+    try {
+      if (find_file(name, file)) {
+        add_library(file);
+        continue;
+      }
+    } catch (const InputError& error) {
+      reason = error.what();
+    }
+    input_.warnings.add("material libraries that cannot be read", place,
+                        [&] { return "material library " + in_quotes(name) + " cannot be read: " + reason; });
+  }
+}
+
+void ObjMaterials::assign(Scene& scene) const {
+  std::vector<std::uint32_t> material_of_slot(slots_.size(), no_material);
+  std::vector<bool> seen(slots_.size(), false);
+  for (Triangle& triangle : scene.triangles) {
+    const std::uint32_t slot = triangle.material;
+    if (slot == no_material) {
+      continue;
+    }
+    if (!seen[slot]) {
+      seen[slot] = true;
+      const auto definition = library_.find(slots_[slot].name);
+      if (definition != library_.end()) {
+        material_of_slot[slot] = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.push_back(definition->second);
+      } else {
+        input_.warnings.add("materials that are not defined", slots_[slot].place, [&] {
+          return "material " + in_quotes(slots_[slot].name) + " is not defined: colours are chosen by face";
+        });
+      }
+    }
+    triangle.material = material_of_slot[slot];
+  }
+}
+
+}  // namespace hsr
