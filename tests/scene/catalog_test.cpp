@@ -60,10 +60,10 @@ void check_scene(const Scene& scene) {
   check_camera(scene);
 }
 
-// The greatest value of a parameter that a test can afford.
+// The greatest value of a parameter that a test can afford: counts are cut short.
 double affordable(const SceneParameter& parameter) {
-  const bool is_count = parameter.whole && parameter.greatest > 1000.0;
-  return is_count ? std::min(parameter.greatest, std::max(parameter.default_value, 200.0))
+  const bool is_count = parameter.whole && parameter.greatest > 128.0;
+  return is_count ? std::min(parameter.greatest, std::max(parameter.default_value, 40.0))
                   : parameter.greatest;
 }
 
@@ -138,6 +138,10 @@ TEST_CASE("scene: values may be given in order or by name") {
   CHECK(make_built_in_scene("soup:7")->triangles.size() == 7);
   CHECK(make_built_in_scene("soup:1e2")->triangles.size() == 100);
   CHECK(make_built_in_scene("soup[n=7]")->triangles.size() == 7);
+  CHECK(make_built_in_scene("needles:5:30")->triangles.size() == 30);
+  CHECK(make_built_in_scene("needles:5")->triangles.size() == 400);
+  CHECK(make_built_in_scene("needles[n=30,aspect=5.5]")->triangles.size() == 30);
+  CHECK(make_built_in_scene("needles[n=30]")->triangles.size() == 30);
   CHECK(make_built_in_scene("bumpy-sphere:3")->triangles.size() == 108);
 }
 
@@ -164,6 +168,10 @@ TEST_CASE("scene: a wrong value of a built-in scene is a usage error that names 
   CHECK(message("soup[n=-infinity]") == "scene soup: n = \"-infinity\" is not a number (1 to 10000000)");
   CHECK(message("soup:3:4") == "scene soup: too many values (2), its parameters: n");
   CHECK(message("box:3") == "scene box: too many values (1), it has no parameters");
+  CHECK(message("needles:0.5") == "scene needles: aspect = 0.5 is out of range (1 to 10000000)");
+  CHECK(message("needles[n=3,aspect=]") == "scene needles: aspect = \"\" is not a number (1 to 10000000)");
+  CHECK(message("needles:2:3:4") == "scene needles: too many values (3), its parameters: aspect, n");
+  CHECK(message("glass:0") == "scene glass: opacity = 0 is out of range (0.01 to 1)");
   CHECK(message("soup[m=3]") == "scene soup: unknown parameter \"m\", its parameters: n");
   CHECK(message("soup[3]") == "scene soup: \"3\" is not of the form name=value");
   CHECK(message("soup[]") == "scene soup: \"\" is not of the form name=value");

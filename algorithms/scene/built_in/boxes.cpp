@@ -20,6 +20,12 @@ Scene make_cube(std::span<const double>) {
   return builder.finish({.eye = {1.1, 1.3, 2.3}, .target = {0.0, 0.0, 0.0}});
 }
 
+Scene make_duplicate_cube(std::span<const double>) {
+  MeshBuilder builder("duplicate-cube");
+  for (int copy = 0; copy < 2; ++copy) builder.box({-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0});
+  return builder.finish({.eye = {2.3, 1.9, 3.6}, .target = {0.0, 0.0, 0.0}});
+}
+
 }  // namespace
 
 constinit const SceneEntry box{
@@ -35,5 +41,12 @@ constinit const SceneEntry cube{
     .shows = "Twelve triangles that fill the picture: the smallest closed mesh to measure with.",
     .parameters = {},
     .make = make_cube};
+
+constinit const SceneEntry duplicate_cube{
+    .name = "duplicate-cube",
+    .title = "A cube with every face twice",
+    .shows = "Each pixel of it is a tie of two faces in the same place, and the lower id is shown.",
+    .parameters = {},
+    .make = make_duplicate_cube};
 
 }  // namespace hsr::built_in

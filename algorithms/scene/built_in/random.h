@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <random>
@@ -31,6 +32,15 @@ class Random {
     for (;;) {
       const glm::dvec3 point = in_box(glm::dvec3(-1.0), glm::dvec3(1.0));
       if (point.x * point.x + point.y * point.y + point.z * point.z <= 1.0) return point * radius;
+    }
+  }
+
+  /// Uniform on the unit sphere: a point of the ball, not too near its middle, pushed out.
+  glm::dvec3 on_sphere() {
+    for (;;) {
+      const glm::dvec3 point = in_ball(1.0);
+      const double length = std::sqrt(point.x * point.x + point.y * point.y + point.z * point.z);
+      if (length >= 0.001) return point / length;
     }
   }
 
