@@ -83,8 +83,11 @@ bool triangulate(std::span<const glm::vec3> outline, std::vector<CornerTriple>& 
     }
     return EarClipper(flat).clip(triangles);
   }
+  // No area along any axis: either there is nothing to fill, or parts of it cancel out.
   fan(outline.size(), triangles);
-  return false;
+  return std::all_of(triangles.begin(), triangles.end(), [&](const CornerTriple& t) {
+    return has_no_area(outline[t[0]], outline[t[1]], outline[t[2]]);
+  });
 }
 
 bool has_no_area(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {

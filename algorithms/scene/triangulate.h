@@ -19,9 +19,9 @@ using CornerTriple = std::array<std::uint32_t, 3>;
 /// gets that fan; any other is cut by ear clipping, which also fills outlines that touch themselves
 /// or run twice along a bridge to a hole. Triangles without area come from corners on a line.
 ///
-/// Returns whether the triangles fill the outline without overlap. Where it crosses itself, or has
-/// no area in any axis direction, there is no such filling: the triangles then still use every
-/// corner and their areas, counted with winding, still add up to the outline's.
+/// Returns whether the triangles fill the outline without overlap, as far as is known. Where it
+/// crosses itself there may be no such filling: the triangles then still use every corner, and their
+/// areas, counted with winding, still add up to the outline's.
 ///
 /// Sources: Newell's normal as in Sutherland et al. 1974; ear clipping, Meisters 1975.
 bool triangulate(std::span<const glm::vec3> outline, std::vector<CornerTriple>& triangles);

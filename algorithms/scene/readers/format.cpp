@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "scene/readers/messages.h"
 #include "scene/readers/text_lines.h"
 
 namespace hsr {
@@ -12,12 +13,6 @@ namespace {
 
 /// How far to look for words that tell a format.
 constexpr std::size_t head_bytes = 1U << 16U;
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return text;
-}
 
 Format format_of_ending(const std::filesystem::path& file) {
   std::filesystem::path name = file.filename();

@@ -28,6 +28,12 @@ std::string counted(std::uint64_t number, std::string_view singular, std::string
   return std::to_string(number).append(" ").append(number == 1 ? singular : plural);
 }
 
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
 Warnings::Kind& Warnings::find(std::string_view kind) {
   const auto known =
       std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& each) { return each.name == kind; });

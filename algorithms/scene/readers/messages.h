@@ -27,6 +27,9 @@ std::string in_quotes(std::string_view text);
 /// "1 vertex", "2 vertices", "3 faces": `plural` is for every number but 1.
 std::string counted(std::uint64_t number, std::string_view singular, std::string_view plural);
 
+/// `text` with A to Z as a to z.
+std::string lower_case(std::string text);
+
 /// The warnings about one file. Of each kind the first five are kept in words, the others counted.
 class Warnings {
  public:

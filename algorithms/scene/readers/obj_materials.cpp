@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "scene/obj_no_material.h"
 #include "scene/readers/file_bytes.h"
 #include "scene/readers/text_lines.h"
 
@@ -21,8 +22,8 @@ std::uint32_t ObjMaterials::use(std::string_view name, const Place& place) {
   return slot;
 }
 
-/// Looks for a library beside the OBJ file, also with Windows' separators and compressed. Only a
-/// regular file will do: a device might never end.
+/// Looks for a library beside the OBJ file, also with Windows' separators, compressed, or with other
+/// capitals (which Windows does not tell apart). Only a regular file will do: a device might not end.
 bool ObjMaterials::find_file(std::string_view name, fs::path& found) const {
   std::string portable(name);
   std::replace(portable.begin(), portable.end(), '\\', '/');
@@ -30,6 +31,17 @@ bool ObjMaterials::find_file(std::string_view name, fs::path& found) const {
     std::error_code error;
     found = input_.file.parent_path() / candidate;
     if (fs::is_regular_file(found, error)) {
+      return true;
+    }
+  }
+  const fs::path wanted = input_.file.parent_path() / portable;
+  const std::string lower = lower_case(wanted.filename().string());
+  std::error_code error;
+  const fs::path folder = wanted.has_parent_path() ? wanted.parent_path() : fs::path(".");
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    found = entry->path();
+    if (lower_case(found.filename().string()) == lower && fs::is_regular_file(found, error)) {
       return true;
     }
   }
@@ -76,6 +88,7 @@ void ObjMaterials::add_libraries(std::string_view names, const Place& place) {
 void ObjMaterials::assign(Scene& scene) const {
   std::vector<std::uint32_t> material_of_slot(slots_.size(), no_material);
   std::vector<bool> seen(slots_.size(), false);
+  std::vector<const Slot*> undefined;
   for (Triangle& triangle : scene.triangles) {
     const std::uint32_t slot = triangle.material;
     if (slot == no_material) {
@@ -87,14 +100,31 @@ void ObjMaterials::assign(Scene& scene) const {
       if (definition != library_.end()) {
         material_of_slot[slot] = static_cast<std::uint32_t>(scene.materials.size());
         scene.materials.push_back(definition->second);
-      } else {
-        input_.warnings.add("materials that are not defined", slots_[slot].place, [&] {
-          return "material " + in_quotes(slots_[slot].name) + " is not defined: colours are chosen by face";
-        });
+      } else if (slots_[slot].name != obj_no_material) {
+        undefined.push_back(&slots_[slot]);
       }
     }
     triangle.material = material_of_slot[slot];
   }
+  warn_of_undefined(undefined);
+}
+
+void ObjMaterials::warn_of_undefined(const std::vector<const Slot*>& undefined) const {
+  if (undefined.empty()) {
+    return;
+  }
+  constexpr std::size_t named = 3;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(undefined.size(), named); ++i) {
+    names += (i > 0 ? ", " : " ") + in_quotes(undefined[i]->name);
+  }
+  if (undefined.size() > named) {
+    names += " and " + std::to_string(undefined.size() - named) + " more";
+  }
+  input_.warnings.add("", undefined.front()->place, [&] {
+    return (undefined.size() == 1 ? "material" + names + " is" : "materials" + names + " are") +
+           " not defined: colours are chosen by face";
+  });
 }
 
 }  // namespace hsr

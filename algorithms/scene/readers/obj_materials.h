@@ -36,6 +36,7 @@ class ObjMaterials {
     Place place;
   };
   bool find_file(std::string_view name, std::filesystem::path& found) const;
+  void warn_of_undefined(const std::vector<const Slot*>& undefined) const;
   void add_library(const std::filesystem::path& file);
 
   const Input& input_;

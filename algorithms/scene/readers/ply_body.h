@@ -16,8 +16,11 @@ namespace hsr {
 
 // The two ways to walk through the body of a PLY file, with the same functions, so that the reader
 // is one template. begin_row() and end_row() stand about the values of a row; coordinate() is
-// rounded to float32 once (not a number: NaN); whole() throws on what is not a whole number; all
-// throw InputError where the file ends.
+// rounded to float32 once (not a number: NaN); whole() throws InputError on what is not a whole
+// number; all throw PlyTruncated where the file ends.
+
+/// Thrown by a body that ends within a row; the reader knows within which.
+struct PlyTruncated {};
 
 /// A body in which each row is on a line of its own. A row may go on in the next line if it then
 /// ends with that: otherwise a missing value would be taken from the next row.
@@ -38,11 +41,13 @@ class PlyAsciiBody {
     return element.rows <= (bytes_left() + 1) / (2 * element.properties.size());
   }
 
-  bool begin_row() {
+  void begin_row() {
     const bool found = lines_.next_line();
     row_ = Place::line(lines_.line());
     wrapped_ = false;
-    return found;
+    if (!found) {
+      throw PlyTruncated();
+    }
   }
 
   void end_row() {
@@ -91,7 +96,7 @@ class PlyAsciiBody {
   void need_word() {
     while (!lines_.find_word()) {
       if (!lines_.next_line()) {
-        input_.fail(row_, "truncated: the file ends within this row");
+        throw PlyTruncated();
       }
       wrapped_ = true;
     }
@@ -118,10 +123,7 @@ class PlyBinaryBody {
     return element.rows <= bytes_left() / element.least_row_bytes();
   }
 
-  bool begin_row() {
-    row_ = at_;
-    return true;
-  }
+  void begin_row() { row_ = at_; }
   void end_row() {}
 
   float coordinate(PlyType type) {
@@ -166,7 +168,7 @@ class PlyBinaryBody {
  private:
   void need(std::size_t bytes) const {
     if (bytes > bytes_left()) {
-      input_.fail(place(), "truncated: the file ends within this row");
+      throw PlyTruncated();
     }
   }
 

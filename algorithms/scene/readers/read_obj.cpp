@@ -139,6 +139,7 @@ class ObjReader {
 
   void read_face() {
     corners_.clear();
+    attribute_warned_ = false;
     for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
       Corner corner;
       if (!parse_corner(word, corner)) {
@@ -167,8 +168,9 @@ class ObjReader {
 
   /// Texture and normal indices are not used, but said if they are wrong.
   void check_attribute(std::string_view what, bool given, std::int64_t index, std::int64_t count) {
-    if (given && (index == 0 || index > count || index < -count)) {
-      input_.warnings.add("texture or normal indices out of range", place(), [&] {
+    if (given && !attribute_warned_ && (index == 0 || index > count || index < -count)) {
+      attribute_warned_ = true;
+      input_.warnings.add("faces with a texture or normal index out of range", place(), [&] {
         return std::string(what) + " index " + std::to_string(index) + " out of range (" +
                std::to_string(count) + " so far): ignored";
       });
@@ -184,6 +186,7 @@ class ObjReader {
   std::int64_t normals_ = 0;
   std::uint64_t understood_ = 0;
   std::uint64_t misunderstood_ = 0;
+  bool attribute_warned_ = false;      // in the face at hand
   std::vector<std::int64_t> corners_;  // scratch
 };
 

@@ -54,7 +54,8 @@ class OffReader {
     }
     plain_ = header == "OFF";
     if (letters == "4OFF" || letters == "nOFF" || letters == "4nOFF") {
-      input_.fail(place(), "OFF with other than three dimensions (" + in_quotes(header) + ") is not supported");
+      input_.fail(place(),
+                  "OFF with other than three dimensions (" + in_quotes(header) + ") is not supported");
     }
     if (letters != "OFF") {
       input_.fail(place(), "not an OFF file: it begins with " + in_quotes(header));
@@ -91,12 +92,17 @@ class OffReader {
     }
   }
 
-  void next_row(std::int64_t done, std::int64_t all, std::string_view what) {
+  void next_row(std::int64_t row, std::int64_t all, std::string_view what) {
+    row_ = row;
     progress_.at(lines_.offset());
     if (!lines_.next_line()) {
-      input_.fail(place(), "truncated: " + std::to_string(done) + " of " + std::to_string(all) + " " +
-                               std::string(what));
+      fail_truncated(all, what);
     }
+  }
+
+  [[noreturn]] void fail_truncated(std::int64_t all, std::string_view what) const {
+    input_.fail(place(), "truncated: the file ends after " + std::to_string(row_) + " of " +
+                             std::to_string(all) + " " + std::string(what));
   }
 
   void read_vertex() {
@@ -138,8 +144,7 @@ class OffReader {
       } else if (lines_.find_word()) {
         input_.fail(place(), in_quotes(lines_.word()) + " is not a vertex index");
       } else if (!lines_.next_line()) {
-        input_.fail(start, "truncated: face has " + std::to_string(corners_.size()) + " of " +
-                               std::to_string(count) + " corners");
+        fail_truncated(faces_, "faces");
       } else {
         wrapped = true;
       }
@@ -154,6 +159,7 @@ class OffReader {
   TextLines lines_;
   SceneAssembler assembler_;
   ReadProgress progress_;
+  std::int64_t row_ = 0;  // of the vertices or faces
   std::int64_t vertices_ = 0;
   std::int64_t faces_ = 0;
   bool plain_ = false;

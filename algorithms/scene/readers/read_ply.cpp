@@ -19,20 +19,16 @@ template <class Body>
 class PlyReader {
  public:
   PlyReader(const Input& input, const PlyHeader& header)
-      : input_(input), header_(header), body_(input, header), assembler_(input.warnings, 0) {}
+      : input_(input),
+        header_(header),
+        body_(input, header),
+        assembler_(input.warnings, 0),
+        progress_(input) {}
 
   Scene read() {
-    ReadProgress progress(input_);
     for (const PlyElement& element : header_.elements) {
       check(element);
-      for (std::uint64_t row = 0; row < element.rows && !element.properties.empty(); ++row) {
-        progress.at(body_.offset());
-        if (!body_.begin_row()) {
-          input_.fail({}, "truncated: " + std::to_string(row) + " of " + rows_of(element));
-        }
-        read_row(element);
-        body_.end_row();
-      }
+      read_rows(element);
     }
     if (body_.has_rest()) {
       input_.warnings.add("", {}, [] { return std::string("what follows the last row is ignored"); });
@@ -43,6 +39,22 @@ class PlyReader {
  private:
   static std::string rows_of(const PlyElement& element) {
     return std::to_string(element.rows) + " rows of element " + in_quotes(element.name);
+  }
+
+  void read_rows(const PlyElement& element) {
+    const std::uint64_t rows = element.properties.empty() ? 0 : element.rows;
+    std::uint64_t row = 0;
+    try {
+      for (; row < rows; ++row) {
+        progress_.at(body_.offset());
+        body_.begin_row();
+        read_row(element);
+        body_.end_row();
+      }
+    } catch (const PlyTruncated&) {
+      input_.fail(body_.place(),
+                  "truncated: the file ends after " + std::to_string(row) + " of " + rows_of(element));
+    }
   }
 
   /// Refuses an element that cannot be there before anything is made for it.
@@ -100,9 +112,11 @@ class PlyReader {
 
   void read_list(const PlyProperty& property, bool keep) {
     const std::int64_t length = body_.whole(property.count_type);
-    if (length < 0 || !body_.has_room(property.type, static_cast<std::uint64_t>(length))) {
-      input_.fail(body_.place(), (length < 0 ? "list " : "truncated: list ") + in_quotes(property.name) +
-                                     " of " + std::to_string(length) + " values");
+    if (length < 0) {
+      input_.fail(body_.place(), "list " + in_quotes(property.name) + " has a negative length");
+    }
+    if (!body_.has_room(property.type, static_cast<std::uint64_t>(length))) {
+      throw PlyTruncated();
     }
     if (!keep) {
       body_.skip(property.type, static_cast<std::uint64_t>(length));
@@ -134,6 +148,7 @@ class PlyReader {
   const PlyHeader& header_;
   Body body_;
   SceneAssembler assembler_;
+  ReadProgress progress_;
   std::vector<std::int64_t> corners_;  // scratch
 };
 

@@ -91,8 +91,8 @@ void SceneAssembler::keep_face(std::span<const std::int64_t> corners, std::uint3
       outline_.push_back(scene_.positions[static_cast<std::size_t>(corner)]);
     }
     if (!triangulate(outline_, cut_)) {
-      warnings_.add("faces whose outline crosses itself or has no area", place,
-                    [] { return std::string("face's outline crosses itself or has no area"); });
+      warnings_.add("faces whose outline crosses itself", place,
+                    [] { return std::string("face's outline crosses itself"); });
     }
     for (const CornerTriple& triple : cut_) {
       add_triangle(index(triple[0]), index(triple[1]), index(triple[2]), material, triangles);
