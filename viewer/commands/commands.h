@@ -1,0 +1,27 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "options.h"
+
+namespace hsr {
+
+// One function per subcommand. Each writes what it has to say to `out` and throws UsageError or
+// InputError when it cannot do what was asked.
+
+/// hsr render: one image.
+void run(const RenderCommand& command, std::ostream& out);
+
+/// hsr compare: several algorithms against the exact answer.
+void run(const CompareCommand& command, std::ostream& out);
+
+/// hsr export: the scene as triangles.
+void run(const ExportCommand& command, std::ostream& out);
+
+/// hsr list: what there is to choose from.
+void run(const ListCommand& command, std::ostream& out);
+
+/// A text that was asked for.
+void run(const ShowText& command, std::ostream& out);
+
+}  // namespace hsr

@@ -1,0 +1,70 @@
+#include <ostream>
+
+#include "commands/commands.h"
+#include "comparison.h"
+#include "exact/exact_colors.h"
+#include "output_file.h"
+#include "picture.h"
+#include "scene/atomic_file.h"
+#include "skips.h"
+
+namespace hsr {
+namespace {
+
+/// The exact answer of a view, and what was needed to find it.
+struct Truth {
+  exact::ExactAnswer answer;
+  exact::Nearest nearest;
+  std::vector<glm::vec4> colors;
+
+  Truth(const View& view, int threads, const Progress& progress)
+      : answer(view, threads, progress),
+        nearest(answer.nearest(threads, progress)),
+        colors(exact::exact_colors(view, answer, nearest, threads, progress)) {}
+};
+
+ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const RenderOptions& options,
+                              const Truth& truth) {
+  ComparedAlgorithm compared;
+  compared.algorithm = spec;
+  const Stopwatch prepare;
+  const auto renderer = spec.algorithm->prepare(*view.scene, spec.settings, options);
+  compared.prepare_ms = prepare.milliseconds();
+  Frame frame(view.width, view.height);
+  const Stopwatch render;
+  (void)renderer->render(view, options, frame);
+  compared.render_ms = render.milliseconds();
+  compared.errors = exact::measure_errors(frame, truth.answer, truth.nearest, truth.colors);
+  return compared;
+}
+
+}  // namespace
+
+void run(const CompareCommand& command, std::ostream& out) {
+  if (command.json) require_place(*command.json);
+  const PictureOptions& picture = command.picture;
+  ProgressBar bar;
+  const LoadedScene loaded = load_scene(picture.scene, bar);
+  const View view = choose_view(loaded.scene, picture);
+
+  const Stopwatch stopwatch;
+  const Truth truth(view, picture.threads, bar.listener("exact answer"));
+  Comparison comparison = {
+      loaded.scene.name,       loaded.scene.triangles.size(), view.width, view.height, truth.nearest.covered,
+      truth.nearest.decisions, stopwatch.milliseconds(),      {}};
+  const auto skips_off = chosen_skips(picture.skips_off, command.algorithms);
+  for (const AlgorithmSpec& spec : command.algorithms) {
+    const RenderOptions options = {picture.threads, skips_off, bar.listener(spec.text())};
+    comparison.algorithms.push_back(compare_one(spec, view, options, truth));
+  }
+  bar.erase();
+  if (command.json) {
+    write_file_atomically(*command.json, [&](const std::filesystem::path& temporary) {
+      write_bytes(temporary, to_json(comparison));
+    });
+  }
+  out << to_text(comparison);
+  if (command.json) out << "\nWrote " << command.json->string() << ".\n";
+}
+
+}  // namespace hsr

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <ostream>
+#include <string>
+
+#include "commands/commands.h"
+#include "frame/write_image.h"
+#include "output_file.h"
+#include "picture.h"
+#include "scene/atomic_file.h"
+#include "scene/errors.h"
+#include "skips.h"
+#include "statistics.h"
+#include "text_layout.h"
+
+namespace hsr {
+namespace {
+
+void check_outputs(const RenderCommand& command) {
+  for (const auto& file : {command.png, command.layers, command.statistics}) {
+    if (file) require_place(*file);
+  }
+  if (command.png) require_ending("--output", *command.png, {".png"});
+  if (command.layers) require_ending("--layers", *command.layers, {".exr"});
+  if (command.statistics && (command.statistics == command.png || command.statistics == command.layers)) {
+    throw UsageError("--stats: \"" + command.statistics->string() + "\" is the name of an image already");
+  }
+}
+
+/// Renders the view `repeats` times, each time into a frame of its own. Only rendering is timed.
+RenderReport render_repeatedly(Renderer& renderer, const View& view, const RenderOptions& options,
+                               int repeats, Frame& frame, double& least_ms) {
+  RenderReport report;
+  least_ms = std::numeric_limits<double>::infinity();
+  for (int repeat = 0; repeat < repeats; ++repeat) {
+    frame = Frame();  // gives the memory back before as much is taken again
+    frame = Frame(view.width, view.height);
+    const Stopwatch stopwatch;
+    report = renderer.render(view, options, frame);
+    least_ms = std::min(least_ms, stopwatch.milliseconds());
+  }
+  return report;
+}
+
+void write_files(const RenderCommand& command, const Frame& frame, const Statistics& statistics) {
+  if (command.png) write_png(frame, command.backdrop, *command.png);
+  if (command.layers) write_exr_layers(frame, *command.layers);
+  if (command.statistics) {
+    write_file_atomically(*command.statistics, [&](const std::filesystem::path& temporary) {
+      write_bytes(temporary, to_json(statistics));
+    });
+  }
+}
+
+void print_summary(const RenderCommand& command, const Statistics& statistics, std::ostream& out) {
+  const View& view = *statistics.view;
+  out << view.scene->name << ", " << statistics.algorithm->text() << ": " << view.width << "x" << view.height
+      << ", " << counted(view.scene->triangles.size(), "triangle") << "; load "
+      << milliseconds(statistics.load_ms) << ", prepare " << milliseconds(statistics.prepare_ms)
+      << ", render " << milliseconds(statistics.render_ms);
+  const char* separator = "; wrote ";
+  for (const auto& file : {command.png, command.layers, command.statistics}) {
+    if (!file) continue;
+    out << separator << file->string();
+    separator = ", ";
+  }
+  out << "\n";
+}
+
+}  // namespace
+
+void run(const RenderCommand& command, std::ostream& out) {
+  check_outputs(command);
+  ProgressBar bar;
+  const LoadedScene loaded = load_scene(command.picture.scene, bar);
+  const View view = choose_view(loaded.scene, command.picture);
+  const RenderOptions options = {command.picture.threads,
+                                 chosen_skips(command.picture.skips_off, {&command.algorithm, 1}),
+                                 bar.listener()};
+  const Stopwatch stopwatch;
+  const auto renderer =
+      command.algorithm.algorithm->prepare(loaded.scene, command.algorithm.settings, options);
+  const double prepare_ms = stopwatch.milliseconds();
+
+  Frame frame;
+  double render_ms = 0.0;
+  const RenderReport report = render_repeatedly(*renderer, view, options, command.repeats, frame, render_ms);
+  bar.erase();
+
+  const Statistics statistics = {
+      &command.algorithm,  &view,      &report,  loaded.warnings, command.picture.threads, command.repeats,
+      loaded.milliseconds, prepare_ms, render_ms};
+  write_files(command, frame, statistics);
+  print_summary(command, statistics, out);
+}
+
+}  // namespace hsr

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "algorithm.h"
+#include "exact/errors.h"
+#include "exact/exact_answer.h"
+
+namespace hsr {
+
+/// One algorithm's picture of a view, held against the exact answer.
+struct ComparedAlgorithm {
+  AlgorithmSpec algorithm;
+  exact::Errors errors;
+  double prepare_ms = 0.0;
+  double render_ms = 0.0;
+};
+
+/// What `hsr compare` found out.
+struct Comparison {
+  std::string scene;
+  std::size_t triangles = 0;
+  int width = 0;
+  int height = 0;
+  std::uint64_t covered = 0;   ///< pixels whose centre something covers
+  exact::Decisions decisions;  ///< how the exact answer was reached
+  double exact_ms = 0.0;
+  std::vector<ComparedAlgorithm> algorithms;
+};
+
+/// As a table with what it means, for people.
+std::string to_text(const Comparison& comparison);
+
+/// In full. A measure that does not apply is null.
+std::string to_json(const Comparison& comparison);
+
+}  // namespace hsr

@@ -1,0 +1,52 @@
+#include <nlohmann/json.hpp>
+
+#include "comparison.h"
+
+namespace hsr {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const ComparedAlgorithm& compared) {
+  const exact::Errors& errors = compared.errors;
+  Json json = {
+      {"name", compared.algorithm.algorithm->name},
+      {"settings", compared.algorithm.settings},
+      {"wrong", errors.wrong},
+      {"holes", errors.holes},
+      {"leaks", errors.leaks},
+      {"other_of_tie", errors.other_of_tie},
+      {"depth_error", nullptr},
+      {"missing", nullptr},
+      {"extra", nullptr},
+      {"inversions", nullptr},
+      {"color", nullptr},
+      {"causes", nullptr},
+      {"prepare_ms", compared.prepare_ms},
+      {"time_ms", compared.render_ms},
+  };
+  if (errors.depth) json["depth_error"] = {{"max", errors.depth->max}, {"p99", errors.depth->p99}};
+  if (errors.color) json["color"] = {{"rmse", errors.color->rmse}, {"max", errors.color->max}};
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const Comparison& comparison) {
+  Json json = {
+      {"scene", comparison.scene},
+      {"triangles", comparison.triangles},
+      {"width", comparison.width},
+      {"height", comparison.height},
+      {"covered", comparison.covered},
+      {"decisions", {{"filtered", comparison.decisions.filtered}, {"integer", comparison.decisions.integer}}},
+      {"exact_ms", comparison.exact_ms},
+      {"algorithms", Json::array()},
+  };
+  for (const ComparedAlgorithm& compared : comparison.algorithms) {
+    json["algorithms"].push_back(to_json(compared));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace hsr

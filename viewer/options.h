@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "algorithm.h"
+#include "values.h"
+
+namespace hsr {
+
+/// The parts of a camera that the user chose; the rest comes from the scene.
+struct CameraOptions {
+  std::optional<glm::dvec3> eye;
+  std::optional<glm::dvec3> target;
+  std::optional<glm::dvec3> up;
+  std::optional<double> vertical_fov_degrees;
+};
+
+/// What every subcommand that makes pictures is told.
+struct PictureOptions {
+  std::string scene;  ///< a built-in scene or a file
+  Size size;
+  CameraOptions camera;
+  std::optional<double> near_depth;
+  std::optional<double> far_depth;
+  int threads = 1;
+  std::vector<std::string> skips_off;  ///< names of skips, or "all"
+};
+
+struct RenderCommand {
+  PictureOptions picture;
+  AlgorithmSpec algorithm;
+  std::optional<std::filesystem::path> png;
+  std::optional<std::filesystem::path> layers;
+  std::optional<std::filesystem::path> statistics;
+  glm::vec3 backdrop{1.0F};  ///< linear RGB
+  int repeats = 1;
+};
+
+struct CompareCommand {
+  PictureOptions picture;
+  std::vector<AlgorithmSpec> algorithms;
+  std::optional<std::filesystem::path> json;
+};
+
+struct ExportCommand {
+  std::string scene;
+  std::filesystem::path output;
+};
+
+struct ListCommand {
+  enum class Catalogue { scenes, algorithms, settings };
+  Catalogue catalogue = Catalogue::scenes;
+  bool json = false;
+};
+
+/// A text that was asked for instead of work, such as --help.
+struct ShowText {
+  std::string text;
+};
+
+/// What the user wants done.
+using Command = std::variant<ShowText, RenderCommand, CompareCommand, ExportCommand, ListCommand>;
+
+}  // namespace hsr
