@@ -41,7 +41,15 @@ Scene read(const Input& input) {
       return read_ply(input);
     case Format::off:
       return read_off(input);
-    default:
+    case Format::stl_ascii:
+      return read_stl_ascii(input);
+    case Format::stl_binary:
+      return read_stl_binary(input);
+    case Format::gltf:
+      return read_gltf(input);
+    case Format::glb:
+      return read_glb(input);
+    case Format::unknown:
       break;
   }
   input.fail({}, "not a scene: neither content nor ending is that of OBJ, PLY, OFF, STL, glTF or GLB");

@@ -41,7 +41,9 @@ std::uint64_t size_hint(const fs::path& file) {
   return error ? 0 : size;
 }
 
-std::string read_whole(const fs::path& file, const Progress& progress) {
+}  // namespace
+
+std::string raw_file_bytes(const fs::path& file, const Progress& progress) {
   std::error_code error;
   if (fs::is_directory(file, error)) {
     fail(file, "is a folder, not a file");
@@ -80,10 +82,8 @@ std::string read_whole(const fs::path& file, const Progress& progress) {
   return bytes;
 }
 
-}  // namespace
-
 std::string file_bytes(const fs::path& file, const Progress& progress) {
-  std::string bytes = read_whole(file, progress);
+  std::string bytes = raw_file_bytes(file, progress);
   if (!is_gzip(bytes)) {
     return bytes;
   }

@@ -47,7 +47,7 @@ bool is_off_header(std::string_view word) {
          });
 }
 
-/// Whether a line of the text's head begins with v and another with f, or at least one does with v.
+/// Whether a line of the text's head is a vertex as OBJ writes it.
 bool looks_like_obj(std::string_view head) {
   TextLines lines(head);
   while (lines.next_line()) {
@@ -74,8 +74,9 @@ Format format_of_text(std::string_view head) {
   if (word.starts_with('{')) {
     return Format::gltf;
   }
+  const std::string lower = lower_case(std::string(head));
   if (lower_case(std::string(word)) == "solid" &&
-      lower_case(std::string(head)).find("facet") != std::string::npos) {
+      (lower.find("facet") != std::string::npos || lower.find("endsolid") != std::string::npos)) {
     return Format::stl_ascii;
   }
   return looks_like_obj(head) ? Format::obj : Format::unknown;

@@ -20,4 +20,13 @@ Scene read_ply(const Input& input);
 /// ASCII, three dimensions.
 Scene read_off(const Input& input);
 
+/// Stereolithography, ASCII and binary. Corners are not shared between triangles, as in the file.
+Scene read_stl_ascii(const Input& input);
+Scene read_stl_binary(const Input& input);
+
+/// glTF 2.0, as JSON or as GLB: the meshes of the default scene with their nodes' transforms, the
+/// base colours of their materials, and the first perspective camera.
+Scene read_gltf(const Input& input);
+Scene read_glb(const Input& input);
+
 }  // namespace hsr
