@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
 #include <mutex>
 #include <string>
@@ -43,7 +44,8 @@ class ProgressBar {
   bool visible_ = false;  ///< guarded by mutex_
 };
 
-/// The bar as it is drawn: "rendering   [#########           ]  45 %".
-std::string progress_bar_text(std::string_view stage, double done);
+/// The bar as it is drawn, at most `width` characters (and at least 20): "rendering [####   ]  45 %".
+/// What does not fit of the stage is cut off.
+std::string progress_bar_text(std::string_view stage, double done, std::size_t width);
 
 }  // namespace hsr

@@ -48,7 +48,7 @@ void run(const CompareCommand& command, std::ostream& out) {
   const View view = choose_view(loaded.scene, picture);
 
   const Stopwatch stopwatch;
-  const Truth truth(view, picture.threads, bar.listener("exact answer"));
+  const Truth truth(view, picture.threads, bar.listener());
   Comparison comparison = {
       loaded.scene.name,       loaded.scene.triangles.size(), view.width, view.height, truth.nearest.covered,
       truth.nearest.decisions, stopwatch.milliseconds(),      {}};
