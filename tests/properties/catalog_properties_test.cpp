@@ -1,0 +1,222 @@
+// What must hold for every row of the catalogue of algorithms, on the built-in scenes and on small
+// troublesome ones.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <string>
+
+#include "algorithm.h"
+#include "exact/errors.h"
+#include "exact/exact_answer.h"
+#include "exact/exact_colors.h"
+#include "exact/worker.h"
+#include "scene/catalog.h"
+#include "support/picture_text.h"
+#include "support/small_scenes.h"
+
+namespace {
+
+hsr::Frame render(const hsr::View& view, std::string_view spec_text, const hsr::RenderOptions& options = {}) {
+  const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
+  hsr::Frame frame(view.width, view.height);
+  spec.algorithm->prepare(*view.scene, spec.settings, options)->render(view, options, frame);
+  return frame;
+}
+
+// "name" with its default settings, then with each other choice of each setting.
+std::vector<std::string> every_setting(const hsr::Algorithm& algorithm) {
+  std::vector<std::string> specs = {std::string(algorithm.name)};
+  const auto add = [&](std::string_view setting, std::string_view value) {
+    specs.push_back(std::string(algorithm.name) + "[" + std::string(setting) + "=" + std::string(value) +
+                    "]");
+  };
+  for (const hsr::Setting& setting : algorithm.settings) {
+    for (const std::string_view choice : setting.choices.subspan(1)) add(setting.name, choice);
+    if (setting.range) add(setting.name, std::to_string(setting.range->least));
+  }
+  return specs;
+}
+
+// Small enough for a test: what the scene's name asks for.
+std::string small_version(const hsr::SceneEntry& entry) {
+  const std::string name(entry.name);
+  if (name == "bumpy-sphere") return "bumpy-sphere:8";
+  if (name == "soup") return "soup:1500";
+  return name;
+}
+
+// The defaults of every exact algorithm against the exact answer.
+void check_defaults(const hsr::View& view) {
+  const hsr::exact::ExactAnswer exact(view, 2);
+  const hsr::exact::Nearest nearest = exact.nearest(2);
+  for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+    if (!algorithm->traits.exact) continue;
+    CAPTURE(algorithm->name);
+    const hsr::Frame frame = render(view, algorithm->name);
+    CHECK_MESSAGE(hsr::test::difference(frame, nearest.id).empty(), hsr::test::difference(frame, nearest.id));
+    for (std::size_t pixel = 0; pixel < frame.pixel_count(); ++pixel) {
+      if (nearest.id[pixel] == hsr::background_id) continue;
+      // Half a unit in the last place of a float is 2^-24 of it at most.
+      const double relative = std::abs(double{frame.depth[pixel]} / nearest.depth[pixel] - 1.0);
+      if (relative > 0x1.001p-24) {
+        CAPTURE(pixel);
+        REQUIRE(relative <= 0x1.001p-24);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("properties: exact defaults equal the exact answer on every built-in scene from every camera") {
+  for (const hsr::SceneEntry& entry : hsr::scene_catalog()) {
+    const std::string words = small_version(entry);
+    CAPTURE(words);
+    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(words);
+    REQUIRE(scene);
+    if (scene->triangles.size() > 30000) continue;  // the long tests have them
+    for (const hsr::test::NamedCamera& named : hsr::test::trying_cameras(*scene, 1.6)) {
+      CAPTURE(named.name);
+      check_defaults(hsr::make_view(*scene, named.camera, 96, 60));
+    }
+  }
+}
+
+TEST_CASE("properties: exact defaults equal the exact answer on troublesome random scenes") {
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    CAPTURE(seed);
+    const hsr::Scene scene = hsr::test::troublesome_scene(seed, 3 + static_cast<int>(seed % 28));
+    check_defaults(hsr::test::front_view(scene, 24, 18, 4.0, 0.5, 7.0));
+  }
+}
+
+TEST_CASE("properties: the frame is the same for 1, 2 and 7 threads") {
+  for (const char* name : {"three-bars", "soup:400", "coplanar", "glass"}) {
+    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
+    REQUIRE(scene);
+    const hsr::View view = hsr::make_view(*scene, *scene->camera, 61, 47);
+    for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+      for (const std::string& spec : every_setting(*algorithm)) {
+        CAPTURE(name);
+        CAPTURE(spec);
+        const hsr::Frame one = render(view, spec);
+        for (const int threads : {2, 7}) {
+          hsr::RenderOptions options;
+          options.threads = threads;
+          const std::string text = hsr::test::difference(render(view, spec, options), one);
+          CHECK_MESSAGE(text.empty(), text);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("properties: no skip changes a frame, in any setting") {
+  for (const char* name : {"three-bars", "soup:300", "big-and-small", "room", "needles"}) {
+    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
+    REQUIRE(scene);
+    const hsr::View view = hsr::make_view(*scene, *scene->camera, 40, 30);
+    for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+      for (const std::string& spec : every_setting(*algorithm)) {
+        const hsr::Frame with_all = render(view, spec);
+        for (const hsr::Skip& skip : algorithm->skips) {
+          CAPTURE(name);
+          CAPTURE(spec);
+          CAPTURE(skip.name);
+          hsr::RenderOptions options;
+          options.skips_off.insert(std::string(skip.name));
+          const std::string text = hsr::test::difference(render(view, spec, options), with_all);
+          CHECK_MESSAGE(text.empty(), text);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("properties: rendering twice with one renderer gives the same frame") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("three-bars");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 40, 30);
+  for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+    CAPTURE(algorithm->name);
+    const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(algorithm->name);
+    const auto renderer = algorithm->prepare(*scene, spec.settings, {});
+    hsr::Frame first(view.width, view.height);
+    hsr::Frame second(view.width, view.height);
+    renderer->render(view, {}, first);
+    renderer->render(view, {}, second);
+    CHECK(hsr::test::difference(second, first) == "");
+  }
+}
+
+TEST_CASE("properties: every algorithm covers every pixel on a shared edge, and nothing outside") {
+  // Eight triangles round a pixel's centre. At this distance a pixel is one unit wide and centres lie
+  // at odd halves, so all shared edges and the whole border run through centres.
+  const float border = 5.5F;
+  const std::array<glm::vec3, 9> ring = {{{border, 0.5F, 0},
+                                          {border, border, 0},
+                                          {0.5F, border, 0},
+                                          {-border, border, 0},
+                                          {-border, 0.5F, 0},
+                                          {-border, -border, 0},
+                                          {0.5F, -border, 0},
+                                          {border, -border, 0},
+                                          {border, 0.5F, 0}}};
+  hsr::Scene scene;
+  for (std::size_t k = 0; k < 8; ++k) {
+    hsr::test::add_triangle(scene, {glm::vec3(0.5F, 0.5F, 0), ring[k], ring[k + 1]});
+  }
+  const hsr::View view = hsr::test::front_view(scene, 16, 16, 8.0);
+  for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+    CAPTURE(algorithm->name);
+    const hsr::Frame frame = render(view, algorithm->name);
+    for (int j = 0; j < 16; ++j) {
+      for (int i = 0; i < 16; ++i) {
+        const bool inside = std::abs(i + 0.5 - 8.0) <= 5.5 && std::abs(j + 0.5 - 8.0) <= 5.5;
+        CAPTURE(i);
+        CAPTURE(j);
+        CHECK((frame.id[frame.index(i, j)] != hsr::background_id) == inside);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "properties: a shuffled scene gives the same admissible sets, and the same triangles outside ties") {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const hsr::Scene scene = hsr::test::troublesome_scene(seed, 20);
+    std::vector<std::uint32_t> shuffled(scene.triangles.size());
+    std::iota(shuffled.begin(), shuffled.end(), 0U);
+    std::mt19937_64 random(seed);
+    std::ranges::shuffle(shuffled, random);
+    hsr::Scene other = scene;
+    for (std::size_t place = 0; place < shuffled.size(); ++place) {
+      other.triangles[place] = scene.triangles[shuffled[place]];
+    }
+    const hsr::View view = hsr::test::front_view(scene, 20, 15, 4.0);
+    const hsr::View other_view = hsr::test::front_view(other, 20, 15, 4.0);
+    const hsr::exact::ExactAnswer exact(view, 1);
+    hsr::exact::Worker worker = exact.worker();
+    const hsr::exact::Nearest nearest = exact.nearest(1);
+    for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+      if (!algorithm->traits.exact) continue;
+      CAPTURE(seed);
+      CAPTURE(algorithm->name);
+      const hsr::Frame frame = render(other_view, algorithm->name);
+      for (int j = 0; j < 15; ++j) {
+        for (int i = 0; i < 20; ++i) {
+          const std::uint32_t shown = frame.id[frame.index(i, j)];
+          const std::uint32_t first = nearest.id[frame.index(i, j)];
+          REQUIRE((shown == hsr::background_id) == (first == hsr::background_id));
+          if (first == hsr::background_id) continue;
+          REQUIRE(worker.covers(shuffled[shown], i, j));
+          REQUIRE(worker.compare_depth(shuffled[shown], first, i, j) == 0);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,142 @@
+#include "raycast/raycast.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "algorithm.h"
+#include "exact/errors.h"
+#include "exact/exact_answer.h"
+#include "exact/exact_colors.h"
+#include "raycast/bvh.h"
+#include "raycast/eye_rays.h"
+#include "raycast/float_tests.h"
+#include "scene/catalog.h"
+#include "support/picture_text.h"
+#include "support/small_scenes.h"
+
+namespace {
+
+hsr::Frame render(const hsr::View& view, const std::string& spec_text) {
+  const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
+  hsr::Frame frame(view.width, view.height);
+  spec.algorithm->prepare(*view.scene, spec.settings, {})->render(view, {}, frame);
+  return frame;
+}
+
+hsr::exact::Errors errors_of(const hsr::View& view, const std::string& spec_text) {
+  const hsr::exact::ExactAnswer exact(view, 2);
+  const hsr::exact::Nearest nearest = exact.nearest(2);
+  return measure_errors(render(view, spec_text), exact, nearest, exact_colors(view, exact, nearest, 2));
+}
+
+}  // namespace
+
+TEST_CASE("raycast: with and without a hierarchy the frames are equal, in every test") {
+  for (const char* name : {"soup:500", "bumpy-sphere:6", "room", "three-bars"}) {
+    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
+    REQUIRE(scene);
+    for (const hsr::test::NamedCamera& named : hsr::test::trying_cameras(*scene, 1.5)) {
+      const hsr::View view = hsr::make_view(*scene, named.camera, 48, 32);
+      for (const std::string test : {"exact", "watertight", "moller-trumbore"}) {
+        CAPTURE(name);
+        CAPTURE(named.name);
+        CAPTURE(test);
+        const std::string text =
+            hsr::test::difference(render(view, "raycast[structure=bvh,test=" + test + "]"),
+                                  render(view, "raycast[structure=none,test=" + test + "]"));
+        CHECK_MESSAGE(text.empty(), text);
+      }
+    }
+  }
+}
+
+TEST_CASE("raycast: Möller and Trumbore's test in float is wrong somewhere on a closed mesh") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("bumpy-sphere:40");
+  REQUIRE(scene);
+  // From far away with a narrow angle: the eye's coordinates leave few bits for the triangle.
+  hsr::Camera camera = *scene->camera;
+  camera.eye = camera.eye * 200.0;
+  camera.vertical_fov_degrees = 0.4;
+  const hsr::View view = hsr::make_view(*scene, camera, 200, 200);
+  const hsr::exact::Errors float_errors = errors_of(view, "raycast[test=moller-trumbore]");
+  CHECK(float_errors.wrong + float_errors.holes + float_errors.leaks > 0);
+  const hsr::exact::Errors watertight = errors_of(view, "raycast[test=watertight]");
+  CHECK(watertight.holes == 0);
+  const hsr::exact::Errors exact = errors_of(view, "raycast");
+  CHECK(exact.wrong + exact.holes + exact.leaks == 0);
+}
+
+TEST_CASE("raycast: both float tests find a hit at the right depth, and a miss") {
+  const std::array<glm::vec3, 3> corner = {{{-1, -1, -5}, {1, -1, -5}, {0, 1, -5}}};
+  const hsr::FloatRay hit = {{0, 0, 0}, {0, 0, -1}};
+  CHECK(hsr::moller_trumbore(hit, corner) == doctest::Approx(5.0F));
+  CHECK(hsr::WatertightTest(hit)(corner) == doctest::Approx(5.0F));
+  const hsr::FloatRay miss = {{0, 0, 0}, {0.5F, 0.5F, -1}};
+  CHECK_FALSE(hsr::moller_trumbore(miss, corner));
+  CHECK_FALSE(hsr::WatertightTest(miss)(corner));
+  // From behind and with the corners the other way round as well.
+  const std::array<glm::vec3, 3> turned = {{corner[1], corner[0], corner[2]}};
+  CHECK(hsr::moller_trumbore(hit, turned) == doctest::Approx(5.0F));
+  CHECK(hsr::WatertightTest(hit)(turned) == doctest::Approx(5.0F));
+}
+
+TEST_CASE("raycast: a hierarchy holds every triangle once, each within its boxes") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("soup:700");
+  REQUIRE(scene);
+  const hsr::BoundingVolumeHierarchy hierarchy(*scene);
+  std::vector<std::uint32_t> ids = hierarchy.triangles();
+  std::ranges::sort(ids);
+  REQUIRE(ids.size() == 700);
+  for (std::uint32_t id = 0; id < 700; ++id) REQUIRE(ids[id] == id);
+  for (const auto& node : hierarchy.nodes()) {
+    if (node.count == 0) {
+      for (std::uint32_t child = node.first; child < node.first + 2; ++child) {
+        for (int axis = 0; axis < 3; ++axis) {
+          REQUIRE(hierarchy.nodes()[child].box.least[axis] >= node.box.least[axis]);
+          REQUIRE(hierarchy.nodes()[child].box.greatest[axis] <= node.box.greatest[axis]);
+        }
+      }
+    } else {
+      REQUIRE(node.count <= hsr::BoundingVolumeHierarchy::leaf_size);
+      for (std::uint32_t place = node.first; place < node.first + node.count; ++place) {
+        for (const std::uint32_t corner : scene->triangles[hierarchy.triangles()[place]].corners) {
+          for (int axis = 0; axis < 3; ++axis) {
+            REQUIRE(scene->positions[corner][axis] >= node.box.least[axis]);
+            REQUIRE(scene->positions[corner][axis] <= node.box.greatest[axis]);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("raycast: a hierarchy over many triangles in one place ends") {
+  hsr::Scene scene;
+  for (int copy = 0; copy < 100; ++copy) {
+    hsr::test::add_triangle(scene, {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)});
+  }
+  const hsr::BoundingVolumeHierarchy hierarchy(scene);
+  CHECK(hierarchy.triangles().size() == 100);
+}
+
+TEST_CASE("raycast: eye rays start at the eye and run through the sample, within a tiny margin") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("cube");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 64, 48);
+  const hsr::EyeRays rays(view);
+  CHECK(rays.margin() > 0.0);
+  CHECK(rays.margin() < 1e-12);
+  const hsr::Ray ray = rays.through(2 * 10 + 1 - 64, 48 - 2 * 7 - 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    CHECK(std::abs(ray.origin[axis] - view.camera.eye[axis]) < 1e-12);
+  }
+  const glm::dvec4 clip = view.clip_from_world * glm::dvec4(ray.origin + 3.0 * ray.direction, 1.0);
+  CHECK(clip.w == doctest::Approx(3.0));
+  CHECK(clip.x / clip.w == doctest::Approx((2 * 10 + 1 - 64) / 64.0));
+  CHECK(clip.y / clip.w == doctest::Approx((48 - 2 * 7 - 1) / 48.0));
+}
