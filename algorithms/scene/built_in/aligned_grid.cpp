@@ -13,11 +13,11 @@ constexpr std::array<SceneParameter, 3> aligned_grid_parameters{{
     {"height", "height in pixels of the picture whose pixels the grid is aligned to", 720, 2, 8192, true},
 }};
 
-// The tangent of half this angle is 1/2, also in double arithmetic as the view does it. So from
-// `height` units away a unit is a pixel, and a row of pixel centres is a row of half-integers, or of
-// integers if the height is odd. All numbers are exact; the columns are so where width / height is a
-// power of two, and elsewhere are within a rounding error, which is the harder case.
-constexpr double fov_degrees = 53.13010235415598;
+// The tangent of half this angle is 1/4, in double arithmetic as the view does it too. So from twice
+// `height` away a unit is a pixel, and a row of pixel centres is a row of half-integers, or of integers
+// if the height is odd. All numbers are exact; the columns are so where width / height is a power of
+// two, and elsewhere are within a rounding error, which is the harder case.
+constexpr double fov_degrees = 28.07248693585296;
 
 // The black squares of a chess board at the distance at which a unit is a pixel, before a complete
 // board at twice the distance with all coordinates doubled, moved by half a square.
@@ -25,13 +25,14 @@ Scene make_aligned_grid(std::span<const double> values) {
   const int n = static_cast<int>(values[0]);
   const int step = static_cast<int>(values[1]);
   const int height = static_cast<int>(values[2]);
+  const double eye_distance = 2.0 * height;
   const double centre_offset = height % 2 == 0 ? 0.5 : 0.0;
   const int start = -(n * step / 2);
   MeshBuilder builder("aligned-grid");
   const auto square = [&](int row, int column, int shift, double scale) {
     const double x = start + column * step + shift + centre_offset;
     const double y = start + row * step + shift + centre_offset;
-    builder.parallelogram({scale * x, scale * y, height * (1.0 - scale)}, {scale * step, 0.0, 0.0},
+    builder.parallelogram({scale * x, scale * y, eye_distance * (1.0 - scale)}, {scale * step, 0.0, 0.0},
                           {0.0, scale * step, 0.0});
   };
   for (int row = 0; row < n; ++row) {
@@ -40,9 +41,8 @@ Scene make_aligned_grid(std::span<const double> values) {
   for (int row = 0; row < n; ++row) {
     for (int column = 0; column < n; ++column) square(row, column, step / 2, 2.0);
   }
-  return builder.finish({.eye = {0.0, 0.0, static_cast<double>(height)},
-                         .target = {0.0, 0.0, 0.0},
-                         .vertical_fov_degrees = fov_degrees});
+  return builder.finish(
+      {.eye = {0.0, 0.0, eye_distance}, .target = {0.0, 0.0, 0.0}, .vertical_fov_degrees = fov_degrees});
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ constexpr std::array<SceneParameter, 2> far_away_parameters{{
     {"n", "squares along an edge of the cube that is made round", 24, 1, 1000, true},
 }};
 
-// Near 2^k the float32 numbers are 2^(k - 23) apart, so the farther away the sphere the coarser its
-// corners; with k = 20 they lie on a grid of 1/8. The camera goes along.
+// Above 2^k the float32 numbers are 2^(k - 23) apart, below it half as much, so the farther away the
+// sphere the coarser its corners; with k = 20 they lie on a grid of 1/8. The camera goes along.
 Scene make_far_away(std::span<const double> values) {
   const glm::dvec3 offset(std::ldexp(1.0, static_cast<int>(values[0])));
   MeshBuilder builder("far-away");

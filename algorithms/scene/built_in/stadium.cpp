@@ -11,7 +11,7 @@ namespace hsr::built_in {
 namespace {
 
 constexpr std::array<SceneParameter, 1> stadium_parameters{{
-    {"subdivision", "squares along a side of each of the teapot's 32 patches", 16, 1, 64, true},
+    {"subdivision", "squares along a side of each of the teapot's 32 patches", 16, 2, 64, true},
 }};
 
 constexpr int segments = 72;  // of the oval

@@ -109,7 +109,7 @@ namespace built_in {
 namespace {
 
 constexpr std::array<SceneParameter, 1> teapot_parameters{{
-    {"subdivision", "squares along a side of each of the 32 patches", 10, 1, 64, true},
+    {"subdivision", "squares along a side of each of the 32 patches", 10, 2, 64, true},
 }};
 
 Scene make_teapot(std::span<const double> values) {

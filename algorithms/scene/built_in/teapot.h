@@ -11,7 +11,8 @@ namespace hsr {
 /// subdivision × subdivision squares of two triangles, each square a face, turned outward; squares
 /// at the poles of lid and bottom have lost a side and are one triangle. There are no cracks between
 /// patches: vertices are shared across their edges. It is open where the original is: between lid
-/// and rim, and at the ends of handle and spout. `subdivision` is in [1, 64].
+/// and rim, and at the ends of handle and spout. `subdivision` is in
+/// [2, 64]: with 1, triangles of the handle would have no area.
 void add_teapot(MeshBuilder& builder, int subdivision, double scale, const glm::dvec3& offset);
 
 }  // namespace hsr

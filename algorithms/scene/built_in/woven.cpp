@@ -39,7 +39,7 @@ Scene make_woven(std::span<const double> values) {
         const bool at_end = crossing == n;
         const double along = at_end ? 1.0 : (crossing + 0.5) * spacing - 1.0;
         const bool is_up = (strip + crossing + direction) % 2 == 0;
-        const double height = at_end ? 0.0 : (is_up ? 0.3 : -0.3) * spacing;
+        const double height = at_end ? 0.0 : (is_up ? 0.15 : -0.15) * spacing;
         const std::array<std::uint32_t, 2> next{vertex(along, -half_width, height),
                                                 vertex(along, half_width, height)};
         builder.face({last[0], next[0], next[1], last[1]});
@@ -47,7 +47,7 @@ Scene make_woven(std::span<const double> values) {
       }
     }
   }
-  return builder.finish({.eye = {0.8, -1.7, 2.2}, .target = {0.0, -0.1, 0.0}});
+  return builder.finish({.eye = {0.5, -1.0, 2.5}, .target = {0.0, 0.0, 0.0}});
 }
 
 }  // namespace
