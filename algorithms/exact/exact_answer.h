@@ -20,7 +20,7 @@ namespace hsr::exact {
 /// One surface at a pixel's centre.
 struct Fragment {
   std::uint32_t id = background_id;
-  double depth = 0.0;  ///< eye depth, within 2^-47 of the exact one, relative
+  double depth = 0.0;  ///< eye depth, within 2^-39 of the exact one, relative
   bool tied = false;   ///< at exactly the same depth as the fragment before it in the list
 };
 

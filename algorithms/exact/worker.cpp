@@ -205,8 +205,8 @@ double Worker::depth(std::uint32_t id, int i, int j) {
   const int sample_b = view_.height - 2 * j - 1;
   const InverseDepth& inverse = triangles_[id].inverse_depth;
   const double value = inverse.at(sample_a, sample_b);
-  if (inverse.bound < 0x1p-48 * value) return 1.0 / value;
-  // Too close to the bound to be relied on: divide in whole numbers.
+  if (inverse.bound < 0x1p-40 * value) return 1.0 / value;
+  // The doubles do not tell enough: divide in whole numbers.
   ++decisions.integer;
   const std::shared_ptr<const IntegerTriangle> triangle = integer_triangle(id);
   long det_exponent = 0;

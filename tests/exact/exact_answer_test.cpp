@@ -28,7 +28,7 @@ void check_list(const std::vector<RationalFragment>& want, const hsr::exact::Dep
     REQUIRE(got.id == want[rank].id);
     REQUIRE(got.tied == (rank > 0 && want[rank - 1].depth == want[rank].depth));
     const mpq_class relative = abs(mpq_class(got.depth) / want[rank].depth - 1);
-    REQUIRE(relative < mpq_class(1, 1) / (mpz_class(1) << 47));
+    REQUIRE(relative < mpq_class(1, 1) / (mpz_class(1) << 39));
   }
 }
 
