@@ -60,7 +60,7 @@ int orientation(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   if (std::abs(determinant) > error) {
     return sign_of(determinant);
   }
-  // float32 values are multiples of 2^-149 below 2^128, so the products stay far within double.
+  // Within float32's range (2^-149 to 2^128) products and their errors stay far within double's.
   if (difference_is_exact(a.x, c.x) && difference_is_exact(a.y, c.y) && difference_is_exact(b.x, c.x) &&
       difference_is_exact(b.y, c.y)) {
     return compare_products(ac.x, bc.y, ac.y, bc.x);
