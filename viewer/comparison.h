@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,9 @@ struct Comparison {
   double exact_ms = 0.0;
   std::vector<ComparedAlgorithm> algorithms;
 };
+
+/// Pixels with an error of any kind for each million that something covers; nothing if none is.
+std::optional<double> errors_per_million(const Comparison& comparison, const ComparedAlgorithm& compared);
 
 /// As a table with what it means, for people.
 std::string to_text(const Comparison& comparison);

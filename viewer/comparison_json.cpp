@@ -7,14 +7,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const ComparedAlgorithm& compared) {
+Json to_json(const Comparison& comparison, const ComparedAlgorithm& compared) {
   const exact::Errors& errors = compared.errors;
+  const std::optional<double> per_million = errors_per_million(comparison, compared);
   Json json = {
       {"name", compared.algorithm.algorithm->name},
       {"settings", compared.algorithm.settings},
       {"wrong", errors.wrong},
       {"holes", errors.holes},
       {"leaks", errors.leaks},
+      {"errors_per_million", per_million ? Json(*per_million) : Json()},
       {"other_of_tie", errors.other_of_tie},
       {"depth_error", nullptr},
       {"missing", nullptr},
@@ -44,7 +46,7 @@ std::string to_json(const Comparison& comparison) {
       {"algorithms", Json::array()},
   };
   for (const ComparedAlgorithm& compared : comparison.algorithms) {
-    json["algorithms"].push_back(to_json(compared));
+    json["algorithms"].push_back(to_json(comparison, compared));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,6 +1,6 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "comparison.h"
 #include "text_layout.h"
@@ -15,19 +15,26 @@ std::string error_text(double error) {
   return text.data();
 }
 
-std::vector<std::string> row_of(const ComparedAlgorithm& compared) {
+/// Whole from ten on, two digits below.
+std::string rate_text(double number) {
+  return number >= 9.5 ? grouped(static_cast<std::uint64_t>(std::llround(number))) : error_text(number);
+}
+
+std::vector<std::string> row_of(const Comparison& comparison, const ComparedAlgorithm& compared) {
   const exact::Errors& errors = compared.errors;
+  const std::optional<double> per_million = errors_per_million(comparison, compared);
   const bool has_depth = errors.depth.has_value();
   const bool has_color = errors.color.has_value();
   return {compared.algorithm.text(),
           grouped(errors.wrong),
           grouped(errors.holes),
           grouped(errors.leaks),
+          per_million ? rate_text(*per_million) : "-",
           has_depth ? error_text(errors.depth->max) : "-",
           has_depth ? error_text(errors.depth->p99) : "-",
           has_color ? error_text(errors.color->rmse) : "-",
           has_color ? error_text(errors.color->max) : "-",
-          milliseconds(compared.render_ms)};
+          three_digits(compared.render_ms)};
 }
 
 std::string exact_answer_text(const Comparison& comparison) {
@@ -43,15 +50,23 @@ std::string exact_answer_text(const Comparison& comparison) {
 
 constexpr const char* legend =
     "wrong: a triangle that is not the nearest. holes: background where something is. leaks: a triangle "
-    "where nothing is. depth: relative error of the eye depth where the triangle is right; 99 % of these "
-    "pixels are at or below p99. colour: difference in linear RGB.";
+    "where nothing is. /million: these three together, for a million covered pixels. depth: relative "
+    "error of the eye depth where the triangle is right; 99 % of these "
+    "pixels are at or below p99. colour: difference in linear RGB. ms: time to render.";
 
 }  // namespace
 
+std::optional<double> errors_per_million(const Comparison& comparison, const ComparedAlgorithm& compared) {
+  if (comparison.covered == 0) return std::nullopt;
+  const exact::Errors& errors = compared.errors;
+  return 1e6 * static_cast<double>(errors.wrong + errors.holes + errors.leaks) /
+         static_cast<double>(comparison.covered);
+}
+
 std::string to_text(const Comparison& comparison) {
-  TextTable table({"algorithm", "wrong", "holes", "leaks", "max", "p99", "rmse", "max", "time"});
-  table.group_columns({{"pixels", 1, 3}, {"depth error", 4, 2}, {"colour error", 6, 2}});
-  for (const ComparedAlgorithm& compared : comparison.algorithms) table.add_row(row_of(compared));
+  TextTable table({"algorithm", "wrong", "holes", "leaks", "/million", "max", "p99", "rmse", "max", "ms"});
+  table.group_columns({{"pixels", 1, 4}, {"depth error", 5, 2}, {"colour error", 7, 2}});
+  for (const ComparedAlgorithm& compared : comparison.algorithms) table.add_row(row_of(comparison, compared));
   return paragraph(comparison.scene + ", " + counted(comparison.triangles, "triangle") + ", at " +
                    std::to_string(comparison.width) + "x" + std::to_string(comparison.height) + " pixels.") +
          paragraph(exact_answer_text(comparison)) + "\n" + table.text() + "\n" + paragraph(legend);

@@ -83,12 +83,14 @@ std::string significant(double number, int digits) {
   return result;
 }
 
-std::string milliseconds(double time) {
-  if (time >= 99.95) return grouped(static_cast<std::uint64_t>(std::llround(time))) + " ms";
+std::string three_digits(double number) {
+  if (number >= 99.95) return grouped(static_cast<std::uint64_t>(std::llround(number)));
   std::array<char, 40> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.*f ms", time >= 9.995 ? 1 : 2, time);
+  (void)std::snprintf(text.data(), text.size(), "%.*f", number >= 9.995 ? 1 : 2, number);
   return text.data();
 }
+
+std::string milliseconds(double time) { return three_digits(time) + " ms"; }
 
 TextTable::TextTable(std::vector<std::string> heading) { rows_.push_back(std::move(heading)); }
 

@@ -39,7 +39,10 @@ std::string counted(std::uint64_t number, std::string_view noun);
 /// 12.3, 0.00214, 3.1e-07.
 std::string significant(double number, int digits);
 
-/// A duration to three digits: 0.42 ms, 12.3 ms, 1,234 ms.
+/// A number to three digits or to the next whole one: 0.42, 12.3, 1,234. Not negative.
+std::string three_digits(double number);
+
+/// A duration: 0.42 ms, 12.3 ms, 1,234 ms.
 std::string milliseconds(double time);
 
 /// Rows of cells under a heading, in columns as wide as they need to be. The first column is aligned

@@ -18,6 +18,8 @@
 namespace hsr {
 namespace {
 
+constexpr int rows_at_once = 64;  // a multiple of the 16 that ZIP compresses together
+
 /// A file in memory. OpenEXR is not given the real file, as it says nothing when the disk is full
 /// at its last write.
 class MemoryStream : public Imf::OStream {
@@ -49,7 +51,7 @@ void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name
   buffer.insert(name, Imf::Slice(type, first, stride, stride * static_cast<std::size_t>(width)));
 }
 
-std::string encode(const Frame& frame) {
+std::string encode(const Frame& frame, const Progress& progress) {
   Imf::Header header(frame.width, frame.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer buffer;
@@ -65,18 +67,23 @@ std::string encode(const Frame& frame) {
   {
     Imf::OutputFile output(stream, header);
     output.setFrameBuffer(buffer);
-    output.writePixels(frame.height);
+    for (int done = 0; done < frame.height;) {
+      const int rows = std::min(rows_at_once, frame.height - done);
+      output.writePixels(rows);
+      done += rows;
+      (void)report_progress(progress, "writing the layers", static_cast<double>(done) / frame.height);
+    }
   }  // the table of lines is written here
   return stream.take_content();
 }
 
 }  // namespace
 
-void write_exr_layers(const Frame& frame, const std::filesystem::path& file) {
+void write_exr_layers(const Frame& frame, const std::filesystem::path& file, const Progress& progress) {
   write_file_atomically(file, [&](const std::filesystem::path& temporary) {
     std::string content;
     try {
-      content = encode(frame);
+      content = encode(frame, progress);
     } catch (const std::exception& failure) {
       throw InputError("cannot write " + file.string() + ": " + failure.what());
     }

@@ -157,7 +157,8 @@ void encode_row(const Frame& frame, int j, const glm::vec3& backdrop, Bytes& row
   }
 }
 
-void write_picture(const Frame& frame, const glm::vec3& backdrop, OutputFile& file) {
+void write_picture(const Frame& frame, const glm::vec3& backdrop, OutputFile& file,
+                   const Progress& progress) {
   file.write("\x89PNG\r\n\x1a\n");
   const std::string eight_bit_rgb("\x08\x02\x00\x00\x00", 5);
   write_chunk(file, "IHDR",
@@ -176,6 +177,7 @@ void write_picture(const Frame& frame, const glm::vec3& backdrop, OutputFile& fi
     apply_best_filter(row, above, filtered, scratch);
     data.write(filtered);
     std::swap(row, above);
+    (void)report_progress(progress, "writing the picture", (j + 1.0) / frame.height);
   }
   data.finish();
   write_chunk(file, "IEND", {});
@@ -183,10 +185,11 @@ void write_picture(const Frame& frame, const glm::vec3& backdrop, OutputFile& fi
 
 }  // namespace
 
-void write_png(const Frame& frame, const glm::vec3& backdrop, const std::filesystem::path& file) {
+void write_png(const Frame& frame, const glm::vec3& backdrop, const std::filesystem::path& file,
+               const Progress& progress) {
   write_file_atomically(file, [&](const std::filesystem::path& temporary) {
     OutputFile output(temporary);
-    write_picture(frame, backdrop, output);
+    write_picture(frame, backdrop, output, progress);
     output.close();
   });
 }

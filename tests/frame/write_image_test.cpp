@@ -8,7 +8,9 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "frame/srgb.h"
 #include "scene/errors.h"
@@ -125,4 +127,20 @@ TEST_CASE("frame: writing an image replaces the file that was there and leaves n
   hsr::write_png(random_frame(4, 4), glm::vec3(0.0F), folder / "a.png");
   CHECK(hsr::test::read_png(folder / "a.png").width == 4);
   CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("frame: writing an image tells how far it is, up to the end") {
+  const TemporaryFolder folder;
+  const Frame frame = random_frame(3, 130);
+  std::vector<double> told;
+  const hsr::Progress progress = [&](std::string_view, double done) {
+    told.push_back(done);
+    return true;
+  };
+  hsr::write_png(frame, glm::vec3(0.0F), folder / "a.png", progress);
+  CHECK(told.size() == 130);
+  CHECK(told.back() == 1.0);
+  told.clear();
+  hsr::write_exr_layers(frame, folder / "a.exr", progress);
+  CHECK(told == std::vector<double>{64.0 / 130.0, 128.0 / 130.0, 1.0});
 }

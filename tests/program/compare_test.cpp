@@ -37,6 +37,8 @@ TEST_CASE("program: compare counts errors of what is wrong and none of what is e
     CHECK(row["name"] == algorithm.name);
     CHECK(row["settings"].size() == algorithm.settings.size());
     CHECK((row["wrong"].get<int>() == 0) == algorithm.traits.exact);
+    CHECK(row["errors_per_million"].get<double>() ==
+          doctest::Approx(1e6 * row["wrong"].get<double>() / covered));
     CHECK(row["holes"] == 0);
     CHECK(row["leaks"] == 0);
     CHECK(row["depth_error"]["p99"].get<double>() <= row["depth_error"]["max"].get<double>());
@@ -60,6 +62,7 @@ TEST_CASE("program: compare takes several specs, and measures that do not apply 
   CHECK(json["algorithms"][0]["settings"]["snap"] == "4");
   CHECK(json["algorithms"][1]["name"] == "painter");
   CHECK(json["algorithms"][0]["depth_error"].is_null());
+  CHECK(json["algorithms"][0]["errors_per_million"].is_null());
   CHECK(json["algorithms"][0]["color"].is_null());
   CHECK(contains(run.out, "zbuffer[depth=unorm16,snap=4]"));
 }

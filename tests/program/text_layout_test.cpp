@@ -30,12 +30,13 @@ TEST_CASE("program: numbers are written for people") {
   CHECK(hsr::grouped(1234567) == "1,234,567");
   CHECK(hsr::counted(1, "triangle") == "1 triangle");
   CHECK(hsr::counted(69312, "triangle") == "69,312 triangles");
-  CHECK(hsr::milliseconds(0.0) == "0.00 ms");
-  CHECK(hsr::milliseconds(9.994) == "9.99 ms");
-  CHECK(hsr::milliseconds(9.996) == "10.0 ms");
-  CHECK(hsr::milliseconds(99.94) == "99.9 ms");
-  CHECK(hsr::milliseconds(99.96) == "100 ms");
-  CHECK(hsr::milliseconds(12345.6) == "12,346 ms");
+  CHECK(hsr::three_digits(0.0) == "0.00");
+  CHECK(hsr::three_digits(9.994) == "9.99");
+  CHECK(hsr::three_digits(9.996) == "10.0");
+  CHECK(hsr::three_digits(99.94) == "99.9");
+  CHECK(hsr::three_digits(99.96) == "100");
+  CHECK(hsr::three_digits(12345.6) == "12,346");
+  CHECK(hsr::milliseconds(1.5) == "1.50 ms");
 }
 
 TEST_CASE("program: a table aligns its columns and titles groups of them") {

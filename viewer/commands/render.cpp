@@ -43,9 +43,10 @@ RenderReport render_repeatedly(Renderer& renderer, const View& view, const Rende
   return report;
 }
 
-void write_files(const RenderCommand& command, const Frame& frame, const Statistics& statistics) {
-  if (command.png) write_png(frame, command.backdrop, *command.png);
-  if (command.layers) write_exr_layers(frame, *command.layers);
+void write_files(const RenderCommand& command, const Frame& frame, const Statistics& statistics,
+                 const Progress& progress) {
+  if (command.png) write_png(frame, command.backdrop, *command.png, progress);
+  if (command.layers) write_exr_layers(frame, *command.layers, progress);
   if (command.statistics) {
     write_file_atomically(*command.statistics, [&](const std::filesystem::path& temporary) {
       write_bytes(temporary, to_json(statistics));
@@ -86,12 +87,12 @@ void run(const RenderCommand& command, std::ostream& out) {
   Frame frame;
   double render_ms = 0.0;
   const RenderReport report = render_repeatedly(*renderer, view, options, command.repeats, frame, render_ms);
-  bar.erase();
 
   const Statistics statistics = {
       &command.algorithm,  &view,      &report,  loaded.warnings, command.picture.threads, command.repeats,
       loaded.milliseconds, prepare_ms, render_ms};
-  write_files(command, frame, statistics);
+  write_files(command, frame, statistics, bar.listener());
+  bar.erase();
   print_summary(command, statistics, out);
 }
 
