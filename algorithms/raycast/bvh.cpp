@@ -11,21 +11,6 @@ namespace hsr {
 
 namespace {
 
-constexpr Box nothing = {glm::vec3(std::numeric_limits<float>::infinity()),
-                         glm::vec3(-std::numeric_limits<float>::infinity())};
-
-Box joined(const Box& a, const Box& b) {
-  return {glm::min(a.least, b.least), glm::max(a.greatest, b.greatest)};
-}
-
-Box box_of_triangle(const Scene& scene, std::uint32_t id) {
-  Box box = nothing;
-  for (const std::uint32_t corner : scene.triangles[id].corners) {
-    box = joined(box, {scene.positions[corner], scene.positions[corner]});
-  }
-  return box;
-}
-
 // Half the area of the surface, in double so that huge scenes do not overflow.
 double half_area(const Box& box) {
   const glm::dvec3 size = glm::dvec3(box.greatest) - glm::dvec3(box.least);
@@ -34,7 +19,7 @@ double half_area(const Box& box) {
 }
 
 struct Bin {
-  Box box = nothing;
+  Box box;
   std::uint32_t count = 0;
 };
 
@@ -74,7 +59,7 @@ class Builder {
   static constexpr int bin_count = 16;
 
   BoundingVolumeHierarchy::Node leaf(std::uint32_t first, std::uint32_t count) const {
-    BoundingVolumeHierarchy::Node node = {nothing, first, count};
+    BoundingVolumeHierarchy::Node node = {{}, first, count};
     for (std::uint32_t place = first; place < first + count; ++place) {
       node.box = joined(node.box, boxes_[triangles_[place]]);
     }

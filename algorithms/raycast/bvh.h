@@ -1,18 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <vector>
 
+#include "raycast/box.h"
 #include "scene/scene.h"
 
 namespace hsr {
-
-/// An axis-aligned box in world space: the exact least and greatest coordinates of what is in it.
-struct Box {
-  glm::vec3 least{0.0F};
-  glm::vec3 greatest{0.0F};
-};
 
 /// A bounding-volume hierarchy: a binary tree of boxes over the triangles of a scene.
 ///

@@ -9,15 +9,9 @@
 #include "predicates/bounded.h"
 #include "raycast/bvh.h"
 #include "raycast/eye_rays.h"
+#include "raycast/traversal_counts.h"
 
 namespace hsr {
-
-/// What a traversal left out and did, summed over rays.
-struct TraversalCounts {
-  std::uint64_t boxes_tested = 0;
-  std::uint64_t boxes_missed = 0;   ///< the ray passes them
-  std::uint64_t boxes_farther = 0;  ///< they begin behind what was found already
-};
 
 /// Walks a bounding-volume hierarchy from near to far and hands every triangle that the ray may meet
 /// to a visitor. Nothing is left out that the true ray meets: boxes are widened by the margin of the
@@ -54,11 +48,12 @@ class BvhTraversal {
       const Open open = stack_.back();
       stack_.pop_back();
       if (open.entry > visitor.cutoff()) {
-        ++counts.boxes_farther;
+        ++counts.farther;
         continue;
       }
       const BoundingVolumeHierarchy::Node& node = hierarchy_.nodes()[open.node];
       for (std::uint32_t place = node.first; place < node.first + node.count; ++place) {
+        ++counts.triangle_tests;
         visitor.test(hierarchy_.triangles()[place]);
       }
       if (node.count == 0) push_children(node.first);
@@ -86,7 +81,7 @@ class BvhTraversal {
   // The slab test. A direction of 0 gives infinities, which are right, or NaN where the origin lies
   // on a plane, which no comparison below lets in.
   bool enters(const Box& box, double& entry) {
-    ++counts.boxes_tested;
+    ++counts.steps;
     double enter = near_;
     double exit = far_;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -100,11 +95,7 @@ class BvhTraversal {
     }
     constexpr double rounding = 8.0 * Bounded::v;
     entry = enter * (1.0 - rounding);
-    if (entry > exit * (1.0 + rounding)) {
-      ++counts.boxes_missed;
-      return false;
-    }
-    return true;
+    return !(entry > exit * (1.0 + rounding));
   }
 
   void push_children(std::uint32_t first_child) {

@@ -1,8 +1,9 @@
 // Ray casting: from the pixel to the object.
 //
 //   1. For each pixel, take the ray from the eye through its centre.
-//   2. Find the triangles that the ray may meet: all of them (structure=none), or those in the boxes
-//      of a hierarchy that it enters, near to far (structure=bvh).
+//   2. Find the triangles that the ray may meet: all of them (structure=none), those in the boxes of
+//      a hierarchy that it enters (structure=bvh), or those in the cells of a grid that it passes
+//      (structure=grid), near to far.
 //   3. Test each of them: does the ray meet it, between near and far, and at which depth?
 //   4. Keep the nearest. Of equal depths the lowest id.
 //
@@ -10,18 +11,23 @@
 // the ones that renderers use, in float, and show what that costs.
 //
 // Source: Appel 1968, Some Techniques for Shading Machine Renderings of Solids; hierarchy: Kay and
-// Kajiya 1986 (slabs), Wald 2007 (bins); tests: Möller and Trumbore 1997, Woop, Benthin and Wald 2013.
+// Kajiya 1986 (slabs), Wald 2007 (bins); grid: Fujimoto, Tanaka and Iwata 1986; tests: Möller and Trumbore
+// 1997, Woop, Benthin and Wald 2013.
 
 #include "raycast/raycast.h"
 
 #include <array>
 #include <atomic>
+#include <limits>
+#include <mutex>
 
 #include "bands.h"
 #include "parallel.h"
 #include "raycast/bvh.h"
 #include "raycast/bvh_traversal.h"
 #include "raycast/eye_rays.h"
+#include "raycast/grid.h"
+#include "raycast/grid_traversal.h"
 #include "raycast/nearest_hit.h"
 #include "skips.h"
 #include "view/shading.h"
@@ -31,15 +37,18 @@ namespace hsr {
 namespace {
 
 constexpr std::array<std::string_view, 3> test_choices = {"exact", "watertight", "moller-trumbore"};
-constexpr std::array<std::string_view, 2> structure_choices = {"bvh", "none"};
+constexpr std::array<std::string_view, 3> structure_choices = {"bvh", "grid", "none"};
 constexpr std::array settings = {
     Setting{"test", "how a ray is tested against a triangle: exactly, or in float", test_choices},
     Setting{"structure",
-            "how candidates are found: a bounding-volume hierarchy, or every triangle for every ray",
+            "how candidates are found: a bounding-volume hierarchy, a uniform grid, or every triangle for "
+            "every ray",
             structure_choices}};
-constexpr Skip farther_boxes_skip = {
-    "farther-boxes", "boxes of the hierarchy that begin behind the nearest hit so far are not opened"};
-constexpr std::array skips = {off_screen_skip, between_centres_skip, farther_boxes_skip};
+constexpr Skip farther_skip = {"farther",
+                               "boxes and cells that begin behind the nearest hit so far are not opened"};
+constexpr Skip repeated_skip = {"repeated",
+                                "a triangle that reaches several cells of a grid is tested once per ray"};
+constexpr std::array skips = {off_screen_skip, between_centres_skip, farther_skip, repeated_skip};
 
 // All triangles, in id order.
 class EveryTriangle {
@@ -47,8 +56,9 @@ class EveryTriangle {
   explicit EveryTriangle(const Scene& scene) : count_(static_cast<std::uint32_t>(scene.triangles.size())) {}
 
   template <class NearestHit>
-  void visit(const Ray&, NearestHit& hit) const {
+  void visit(const Ray&, NearestHit& hit) {
     for (std::uint32_t id = 0; id < count_; ++id) hit.test(id);
+    counts.triangle_tests += count_;
   }
   TraversalCounts counts;
 
@@ -68,13 +78,17 @@ class RayCaster : public Renderer {
  public:
   RayCaster(const Scene& scene, const Settings& chosen, const RenderOptions& options)
       : test_(chosen.find("test")->second), colors_(surface_colors(scene, options.threads)) {
-    report_progress(options.progress, "building the hierarchy", 0.0);
-    if (chosen.find("structure")->second == "bvh") hierarchy_ = BoundingVolumeHierarchy(scene);
+    report_progress(options.progress, "building the structure", 0.0);
+    const std::string& structure = chosen.find("structure")->second;
+    if (structure == "bvh") hierarchy_ = BoundingVolumeHierarchy(scene);
+    if (structure == "grid") grid_ = UniformGrid(scene);
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
     RenderReport report;
-    report.bytes = hierarchy_.bytes();
+    report.bytes = hierarchy_.bytes() + grid_.bytes();
+    report.counters["structure_bytes"] = report.bytes;
+    report.counters["rays"] = frame.pixel_count();
     if (test_ == "exact") {
       const ScreenTriangles set_up = set_up_with_skips(view, options, report);
       std::vector<std::uint32_t> place(view.scene->triangles.size(), background_id);
@@ -98,33 +112,50 @@ class RayCaster : public Renderer {
   void cast(const View& view, const RenderOptions& options, MakeHit make_hit, RenderReport& report,
             Frame& frame) {
     const EyeRays rays(view);
-    const double margin = hierarchy_.empty() ? 0.0 : margin_of(view, rays);
+    const double margin = rays.margin() + margin_of_test(view, rays);
+    const double greatest = rays.greatest_coordinate(view.far_depth);
+    if (!hierarchy_.empty()) {
+      const double widened = BvhTraversal::widened_margin(hierarchy_, margin);
+      cast_bands(
+          view, rays, options, make_hit,
+          [&] { return BvhTraversal(hierarchy_, widened, view.near_depth, view.far_depth); }, report, frame);
+    } else if (!grid_.empty() && GridTraversal::trusts(grid_, margin, greatest)) {
+      const bool use_mailbox = options.uses(repeated_skip.name);
+      cast_bands(
+          view, rays, options, make_hit,
+          [&] { return GridTraversal(grid_, view.near_depth, view.far_depth, use_mailbox); }, report, frame);
+    } else {
+      cast_bands(
+          view, rays, options, make_hit, [&] { return EveryTriangle(*view.scene); }, report, frame);
+    }
+  }
+
+  template <class MakeHit, class MakeStructure>
+  void cast_bands(const View& view, const EyeRays& rays, const RenderOptions& options, MakeHit make_hit,
+                  MakeStructure make_structure, RenderReport& report, Frame& frame) {
     const Bands bands(view.height, 4 * options.threads);
-    std::atomic<std::uint64_t> exact_evaluations = 0;
-    std::atomic<std::uint64_t> boxes_tested = 0;
-    std::atomic<std::uint64_t> boxes_farther = 0;
+    const bool use_cutoff = options.uses(farther_skip.name);
+    std::mutex mutex;
+    TraversalCounts counts;
+    std::uint64_t exact_evaluations = 0;
     std::atomic<int> bands_done = 0;
     std::atomic<bool> going = true;
     parallel_for(bands.count(), options.threads, [&](int index) {
       if (!going) return;
       auto hit = make_hit();
-      const auto cast_with = [&](auto structure) {
-        cast_band(view, rays, bands[index], options.uses(farther_boxes_skip.name), structure, hit, frame);
-        boxes_tested += structure.counts.boxes_tested;
-        boxes_farther += structure.counts.boxes_farther;
-      };
-      if (hierarchy_.empty()) {
-        cast_with(EveryTriangle(*view.scene));
-      } else {
-        cast_with(BvhTraversal(hierarchy_, margin, view.near_depth, view.far_depth));
-      }
-      exact_evaluations += hit.exact_evaluations();
+      auto structure = make_structure();
+      cast_band(view, rays, bands[index], use_cutoff, structure, hit, frame);
       const double done = static_cast<double>(++bands_done) / bands.count();
       if (!report_progress(options.progress, "rendering", done)) going = false;
+      const std::lock_guard lock(mutex);
+      counts += structure.counts;
+      exact_evaluations += hit.exact_evaluations();
     });
     report.counters["exact_evaluations"] += exact_evaluations;
-    report.counters["boxes_tested"] = boxes_tested;
-    report.skipped[std::string(farther_boxes_skip.name)] = boxes_farther;
+    report.counters["structure_steps"] = counts.steps;
+    report.counters["triangle_tests"] = counts.triangle_tests;
+    report.skipped[std::string(farther_skip.name)] = counts.farther;
+    report.skipped[std::string(repeated_skip.name)] = counts.repeated;
   }
 
   template <class Structure, class NearestHit>
@@ -156,17 +187,15 @@ class RayCaster : public Renderer {
 
   // The float tests see the eye and the direction rounded once more, to float; their rays may lie
   // that much farther off, and what they meet there must not be missed.
-  double margin_of(const View& view, const EyeRays& rays) const {
-    double margin = rays.margin();
-    if (test_ != "exact") {
-      constexpr double rounding_to_float = 0x1p-20;  // relative: 2^-24 each for a dozen operations
-      margin += rounding_to_float * rays.greatest_coordinate(view.far_depth);
-    }
-    return BvhTraversal::widened_margin(hierarchy_, margin);
+  double margin_of_test(const View& view, const EyeRays& rays) const {
+    if (test_ == "exact") return 0.0;
+    constexpr double rounding_to_float = 0x1p-20;  // relative: 2^-24 each for a dozen operations
+    return rounding_to_float * rays.greatest_coordinate(view.far_depth);
   }
 
   std::string test_;
   BoundingVolumeHierarchy hierarchy_;
+  UniformGrid grid_;
   std::vector<glm::vec4> colors_;
 };
 
@@ -181,10 +210,10 @@ const Algorithm& raycast_algorithm() {
       .name = "raycast",
       .title = "Ray casting",
       .idea = "Ask for each pixel which triangle its ray meets first.",
-      .source = "Appel 1968; Kay and Kajiya 1986; Wald 2007; Woop, Benthin and Wald 2013",
+      .source = "Appel 1968; Fujimoto, Tanaka and Iwata 1986; Wald 2007; Woop, Benthin and Wald 2013",
       .variant_of = "",
       .traits = {.time = "n log n to prepare, then p log n",
-                 .memory = "a tree of boxes",
+                 .memory = "a tree of boxes, or a grid of lists",
                  .transparency = "taken as opaque",
                  .cycles = "right",
                  .exact = true},

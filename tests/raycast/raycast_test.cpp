@@ -15,6 +15,7 @@
 #include "raycast/bvh.h"
 #include "raycast/eye_rays.h"
 #include "raycast/float_tests.h"
+#include "raycast/grid.h"
 #include "scene/catalog.h"
 #include "support/picture_text.h"
 #include "support/small_scenes.h"
@@ -36,7 +37,7 @@ hsr::exact::Errors errors_of(const hsr::View& view, const std::string& spec_text
 
 }  // namespace
 
-TEST_CASE("raycast: with and without a hierarchy the frames are equal, in every test") {
+TEST_CASE("raycast: with any structure and with none the frames are equal, in every test") {
   for (const char* name : {"soup:500", "bumpy-sphere:6", "room", "three-bars"}) {
     const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
     REQUIRE(scene);
@@ -46,10 +47,13 @@ TEST_CASE("raycast: with and without a hierarchy the frames are equal, in every 
         CAPTURE(name);
         CAPTURE(named.name);
         CAPTURE(test);
-        const std::string text =
-            hsr::test::difference(render(view, "raycast[structure=bvh,test=" + test + "]"),
-                                  render(view, "raycast[structure=none,test=" + test + "]"));
-        CHECK_MESSAGE(text.empty(), text);
+        const hsr::Frame none = render(view, "raycast[structure=none,test=" + test + "]");
+        for (const std::string structure : {"bvh", "grid"}) {
+          CAPTURE(structure);
+          const std::string text = hsr::test::difference(
+              render(view, "raycast[structure=" + structure + ",test=" + test + "]"), none);
+          CHECK_MESSAGE(text.empty(), text);
+        }
       }
     }
   }
@@ -122,6 +126,52 @@ TEST_CASE("raycast: a hierarchy over many triangles in one place ends") {
   }
   const hsr::BoundingVolumeHierarchy hierarchy(scene);
   CHECK(hierarchy.triangles().size() == 100);
+}
+
+TEST_CASE("raycast: a grid holds every triangle in every cell that its box reaches, and stays small") {
+  for (const char* name : {"soup:300", "needles", "coplanar", "stadium"}) {
+    CAPTURE(name);
+    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
+    REQUIRE(scene);
+    const hsr::UniformGrid grid(*scene);
+    CHECK(grid.triangles().size() <= hsr::UniformGrid::references_per_triangle * scene->triangles.size());
+    // A point of each triangle, its centroid, lies in a cell that lists it.
+    for (std::uint32_t id = 0; id < scene->triangles.size(); ++id) {
+      glm::dvec3 centroid(0.0);
+      for (const std::uint32_t corner : scene->triangles[id].corners) {
+        centroid += glm::dvec3(scene->positions[corner]) / 3.0;
+      }
+      std::array<int, 3> cell{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto component = static_cast<glm::length_t>(axis);
+        cell[axis] = std::clamp(
+            static_cast<int>((centroid[component] - grid.least()[component]) / grid.cell_size()[component]),
+            0, grid.resolution()[axis] - 1);
+      }
+      const auto begin = grid.triangles().begin() + grid.begin()[grid.cell(cell)];
+      const auto end = grid.triangles().begin() + grid.begin()[grid.cell(cell) + 1];
+      REQUIRE(std::find(begin, end, id) != end);
+    }
+  }
+}
+
+TEST_CASE("raycast: the teapot in a stadium defeats the grid, and the hierarchy takes it lightly") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("stadium");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 80, 50);
+  const auto tests_per_ray = [&](const char* spec_text) {
+    const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
+    hsr::Frame frame(view.width, view.height);
+    const hsr::RenderReport report =
+        spec.algorithm->prepare(*scene, spec.settings, {})->render(view, {}, frame);
+    return static_cast<double>(report.counters.at("triangle_tests")) /
+           static_cast<double>(report.counters.at("rays"));
+  };
+  const double bvh = tests_per_ray("raycast[structure=bvh]");
+  const double grid = tests_per_ray("raycast[structure=grid]");
+  CAPTURE(bvh);
+  CAPTURE(grid);
+  CHECK(grid > 5.0 * bvh);
 }
 
 TEST_CASE("raycast: eye rays start at the eye and run through the sample, within a tiny margin") {
