@@ -32,6 +32,8 @@ json parse_json(const Input& input, std::string_view text) {
   } catch (const json::parse_error& error) {
     const auto offset = static_cast<std::uint64_t>(text.data() - input.bytes.data());
     input.fail(Place::byte(offset + error.byte), "broken JSON");
+  } catch (const json::out_of_range&) {  // of which the library does not say where
+    input.fail({}, "the JSON holds a number beyond the range of double");
   }
 }
 
