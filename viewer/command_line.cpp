@@ -4,54 +4,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <sstream>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "help_formatter.h"
 #include "nearest_name.h"
+#include "option_helpers.h"
 #include "scene/errors.h"
 #include "skips.h"
-#include "text_layout.h"
 
 namespace hsr {
 namespace {
 
 constexpr int greatest_threads = 1024;
 constexpr int greatest_repeats = 1000000;
-
-/// Adds an option that takes one value and is given at most once. `take` stores the value that it
-/// makes of the text, or throws UsageError.
-template <typename Take>
-CLI::Option* add_value(CLI::App& app, const std::string& names, const std::string& type, Take take,
-                       const std::string& help) {
-  // The long name is the one that messages use.
-  const std::string name = names.substr(names.find("--"));
-  const auto take_once = [name, take](const CLI::results_t& texts) {
-    if (texts.size() != 1) throw UsageError(name + " is given more than once");
-    take(name, texts.front());
-    return true;
-  };
-  return app.add_option(names, take_once, help)->type_name(type)->take_all();
-}
-
-void add_file(CLI::App& app, const std::string& names, const std::string& type,
-              std::optional<std::filesystem::path>& file, const std::string& help) {
-  add_value(
-      app, names, type, [&file](const auto&, const auto& text) { file = text; }, help);
-}
-
-/// Calls `parse`, and puts the option's name before what it complains of.
-template <typename Parse>
-auto with_option_named(const std::string& option, Parse parse) {
-  try {
-    return parse();
-  } catch (const UsageError& error) {
-    throw UsageError(option + ": " + error.what());
-  }
-}
 
 int all_cores() {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
@@ -118,16 +87,11 @@ void add_picture(CLI::App& app, PictureOptions& picture) {
 void add_render(CLI::App& program, RenderCommand& command) {
   CLI::App& app = *program.add_subcommand("render", "Make one image of a scene with one algorithm.");
   add_picture(app, command.picture);
-  command.algorithm = {&default_algorithm(), {}};
   command.algorithm = parse_algorithm_spec(default_algorithm().name);
   add_value(
       app, "-a,--algorithm", "SPEC",
       [&command](const auto& option, const auto& text) {
-        try {
-          command.algorithm = parse_algorithm_spec(text);
-        } catch (const UsageError& error) {
-          throw UsageError(option + ": " + error.what());
-        }
+        command.algorithm = with_option_named(option, [&] { return parse_algorithm_spec(text); });
       },
       "The algorithm and its settings, such as zbuffer or zbuffer[depth=unorm16,snap=4] (hsr list "
       "algorithms, hsr list settings; default " +
@@ -177,6 +141,7 @@ void add_export(CLI::App& program, ExportCommand& command) {
       app, "-o,--output", "F.obj|F.ply", [&command](const auto&, const auto& text) { command.output = text; },
       "Wavefront OBJ (with an MTL beside it where there are materials) or binary PLY.")
       ->required();
+  app.footer("Example: hsr export bumpy-sphere:100 -o sphere.ply");
 }
 
 void add_list(CLI::App& program, ListCommand& command) {
@@ -199,6 +164,7 @@ void add_list(CLI::App& program, ListCommand& command) {
       ->required()
       ->type_name("");
   app.add_flag("--json", command.json, "Everything there is to know, as JSON.");
+  app.footer("Example: hsr list scenes");
 }
 
 /// A message for a subcommand that does not exist; CLI11 would ask for one as if none was given.

@@ -5,12 +5,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <sstream>
 #include <stdexcept>
 
 #include "support/temporary_folder.h"
 
 namespace hsr::test {
 namespace {
+
+/// `text` without the lines that tell how far the work is: "rendering: 42 %".
+std::string without_progress(const std::string& text) {
+  std::istringstream lines(text);
+  std::string kept;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.ends_with(" %")) kept += line + "\n";
+  }
+  return kept;
+}
 
 ProgramRun run_command(std::vector<std::string> words) {
   const TemporaryFolder folder;
@@ -32,7 +43,7 @@ ProgramRun run_command(std::vector<std::string> words) {
 
   int status = 0;
   if (waitpid(process, &status, 0) != process) throw std::runtime_error("cannot wait for " + words[0]);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), without_progress(content_of(err))};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace hsr::test {
 struct ProgramRun {
   int exit_code = -1;  ///< -1 if a signal ended it
   std::string out;     ///< standard output
-  std::string err;     ///< standard error
+  std::string err;     ///< standard error, without progress, which only a slow machine shows
 };
 
 /// Runs the program hsr with the given words and waits for it.
