@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <cmath>
-#include <string>
+#include <charconv>
+#include <optional>
 
 #include "fuzz/support/check_scene.h"
 #include "fuzz/targets.h"
@@ -11,14 +11,11 @@ namespace hsr::fuzz {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-// A number of at most two digits before its point and without an exponent that makes it larger. What
-// is no number at all is small, too: it makes no scene.
-bool is_small(std::string_view number) {
-  const std::string_view whole = number.substr(0, number.find('.'));
-  return std::ranges::count_if(whole, is_digit) <= 2 && number.find("e") == std::string_view::npos &&
-         number.find("E") == std::string_view::npos;
+// What is no number at all counts as small, too: it makes no scene.
+bool is_small(std::string_view text) {
+  double number = 0.0;
+  (void)std::from_chars(text.data(), text.data() + text.size(), number);
+  return number <= 12.0;
 }
 
 // Whether the words ask for every number of the scene, and only for small ones: a large scene, though
