@@ -49,7 +49,7 @@ TEST_CASE("scene: box and cube are closed, outward and of six faces with two tri
 
 TEST_CASE("scene: in the box a hidden face follows the visible one that it lies behind") {
   const Scene scene = *make_built_in_scene("box");
-  const auto normal_z = [&](std::uint32_t face) {
+  const auto normal_z = [&](std::size_t face) {
     const auto& [a, b, c] = scene.triangles[2 * face].corners;
     const glm::vec3 u = scene.positions[b] - scene.positions[a];
     const glm::vec3 v = scene.positions[c] - scene.positions[a];
@@ -73,10 +73,10 @@ TEST_CASE("scene: every triangle of the duplicate cube is there twice, with vert
 }
 
 TEST_CASE("scene: the bumpy sphere has 12 n² triangles, is closed and turned outward for every n") {
-  for (const int n : {1, 2, 3, 7, 76}) {
+  for (const std::size_t n : {1U, 2U, 3U, 7U, 76U}) {
     CAPTURE(n);
     const Scene scene = *make_built_in_scene("bumpy-sphere:" + std::to_string(n));
-    const auto squares = static_cast<std::size_t>(n * n);
+    const std::size_t squares = n * n;
     CHECK(scene.triangles.size() == 12 * squares);
     CHECK(scene.positions.size() == 6 * squares + 2);
     const MeshEdges edges = count_edges(scene);

@@ -123,9 +123,10 @@ TEST_CASE("scene: each of the three bars hides points of the next and none of th
   const Point eye = point(scene.camera->eye);
   // Counts those of a grid of points of a bar that the other bar hides from the eye.
   const auto hidden = [&](std::uint32_t bar, std::uint32_t by) {
-    const glm::dvec3 origin = scene.positions[4 * bar];
-    const glm::dvec3 across = glm::dvec3(scene.positions[4 * bar + 1]) - origin;
-    const glm::dvec3 along = glm::dvec3(scene.positions[4 * bar + 3]) - origin;
+    const glm::vec3* corner = &scene.positions[std::size_t{4} * bar];
+    const glm::dvec3 origin = corner[0];
+    const glm::dvec3 across = glm::dvec3(corner[1]) - origin;
+    const glm::dvec3 along = glm::dvec3(corner[3]) - origin;
     int count = 0;
     for (int s = 0; s <= 4; ++s) {
       for (int t = 0; t <= 16; ++t) {

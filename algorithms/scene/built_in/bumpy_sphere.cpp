@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "scene/built_in/entries.h"
 #include "scene/built_in/mesh_builder.h"
@@ -98,10 +97,12 @@ constexpr std::array<SceneParameter, 1> bumpy_sphere_parameters{{
 }};
 
 Scene make_bumpy_sphere(std::span<const double> values) {
-  MeshBuilder builder("bumpy-sphere");
-  builder.material("clay", okabe_ito::sky_blue);
-  builder.mesh(bumpy_sphere_mesh(static_cast<int>(values[0])), 1.0, glm::dvec3(0.0));
-  return builder.finish({.eye = {0.39, 0.46, 1.8}, .target = {0.0, 0.0, 0.0}});
+  Scene scene = bumpy_sphere_mesh(static_cast<int>(values[0]));
+  scene.name = "bumpy-sphere";
+  scene.materials.push_back(make_material("clay", okabe_ito::sky_blue));
+  for (Triangle& triangle : scene.triangles) triangle.material = 0;
+  scene.camera = {.eye = {0.39, 0.46, 1.8}, .target = {0.0, 0.0, 0.0}};
+  return scene;
 }
 
 }  // namespace

@@ -16,16 +16,21 @@ float linear_from_srgb(std::uint32_t byte) {
 
 }  // namespace
 
+Material make_material(std::string_view name, std::uint32_t rgb, double opacity) {
+  Material material;
+  material.name = name;
+  material.color = {linear_from_srgb(rgb >> 16U), linear_from_srgb(rgb >> 8U), linear_from_srgb(rgb)};
+  material.opacity = static_cast<float>(opacity);
+  return material;
+}
+
 std::uint32_t MeshBuilder::vertex(const glm::dvec3& position) {
   scene_.positions.emplace_back(position);
   return static_cast<std::uint32_t>(scene_.positions.size() - 1);
 }
 
 std::uint32_t MeshBuilder::material(std::string_view name, std::uint32_t rgb, double opacity) {
-  Material& added = scene_.materials.emplace_back();
-  added.name = name;
-  added.color = {linear_from_srgb(rgb >> 16U), linear_from_srgb(rgb >> 8U), linear_from_srgb(rgb)};
-  added.opacity = static_cast<float>(opacity);
+  scene_.materials.push_back(make_material(name, rgb, opacity));
   current_material_ = static_cast<std::uint32_t>(scene_.materials.size() - 1);
   return current_material_;
 }

@@ -11,6 +11,9 @@
 
 namespace hsr {
 
+/// A material from an sRGB colour such as 0xE69F00 and an opacity in [0, 1].
+Material make_material(std::string_view name, std::uint32_t rgb, double opacity = 1.0);
+
 /// Builds a scene polygon by polygon. Faces are numbered from 0 in the order of the calls.
 class MeshBuilder {
  public:
@@ -19,8 +22,7 @@ class MeshBuilder {
   /// Adds a vertex; its position is rounded to float32 here, once. Returns its index.
   std::uint32_t vertex(const glm::dvec3& position);
 
-  /// Adds a material and gives it to all faces that follow. `rgb` is an sRGB colour such as
-  /// 0xE69F00, opacity is in [0, 1]. Returns its index.
+  /// Adds a material, as make_material does, and gives it to all faces that follow. Returns its index.
   std::uint32_t material(std::string_view name, std::uint32_t rgb, double opacity = 1.0);
 
   /// Gives the material with this index, or no_material, to all faces that follow.

@@ -26,9 +26,10 @@ Scene make_woven(std::span<const double> values) {
       builder.material("even strip along y", okabe_ito::sky_blue),
       builder.material("odd strip along y", okabe_ito::blue),
   };
-  for (int direction = 0; direction < 2; ++direction) {
+  for (const int direction : {0, 1}) {
     for (int strip = 0; strip < n; ++strip) {
-      builder.use_material(materials[static_cast<std::size_t>(2 * direction + strip % 2)]);
+      const int kind = 2 * direction + strip % 2;
+      builder.use_material(materials[static_cast<std::size_t>(kind)]);
       const double across = (strip + 0.5) * spacing - 1.0;
       const auto vertex = [&](double along, double side, double height) {
         const double b = across + side;
