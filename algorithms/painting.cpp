@@ -1,10 +1,8 @@
 #include "painting.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "bands.h"
-#include "parallel.h"
 #include "predicates/sample_predicates.h"
 #include "view/shading.h"
 
@@ -61,31 +59,22 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
 void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
                     const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
                     Frame& frame) {
-  const Bands bands(view.height, options.threads);
-  std::atomic<std::uint64_t> fragments = 0;
-  std::atomic<std::uint64_t> exact_evaluations = 0;
-  std::atomic<int> bands_done = 0;
-  std::atomic<bool> going = true;
-  parallel_for(bands.count(), options.threads, [&](int index) {
-    if (!going) return;
-    const Band band = bands[index];
+  constexpr int bands_per_thread = 4;
+  const FillCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
     SamplePredicates predicates(projection_of(view), *view.scene);
     LastPainted last_painted(
         static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width),
         nothing_painted);
-    std::uint64_t painted = 0;
+    FillCounts filled;
     for (const std::uint32_t triangle : order) {
-      painted += paint_triangle(view, set_up, triangle, band, colors[set_up.triangles[triangle].id],
-                                predicates, last_painted, frame);
+      filled.fragments += paint_triangle(view, set_up, triangle, band, colors[set_up.triangles[triangle].id],
+                                         predicates, last_painted, frame);
     }
     show_depth_and_id(view, set_up, band, last_painted, predicates, frame);
-    fragments += painted;
-    exact_evaluations += predicates.exact_evaluations();
-    const double done = static_cast<double>(++bands_done) / bands.count();
-    if (!report_progress(options.progress, "rendering", done)) going = false;
+    filled.exact_evaluations = predicates.exact_evaluations();
+    return filled;
   });
-  report.counters["fragments"] += fragments;
-  report.counters["exact_evaluations"] += exact_evaluations;
+  counts.add_to(report);
 }
 
 }  // namespace hsr

@@ -17,12 +17,9 @@
 #include "raycast/raycast.h"
 
 #include <array>
-#include <atomic>
 #include <limits>
-#include <mutex>
 
 #include "bands.h"
-#include "parallel.h"
 #include "raycast/bvh.h"
 #include "raycast/bvh_traversal.h"
 #include "raycast/eye_rays.h"
@@ -133,25 +130,16 @@ class RayCaster : public Renderer {
   template <class MakeHit, class MakeStructure>
   void cast_bands(const View& view, const EyeRays& rays, const RenderOptions& options, MakeHit make_hit,
                   MakeStructure make_structure, RenderReport& report, Frame& frame) {
-    const Bands bands(view.height, 4 * options.threads);
+    constexpr int bands_per_thread = 16;  // rays differ more in cost than rows of fragments do
     const bool use_cutoff = options.uses(farther_skip.name);
-    std::mutex mutex;
-    TraversalCounts counts;
-    std::uint64_t exact_evaluations = 0;
-    std::atomic<int> bands_done = 0;
-    std::atomic<bool> going = true;
-    parallel_for(bands.count(), options.threads, [&](int index) {
-      if (!going) return;
+    const TraversalCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
       auto hit = make_hit();
       auto structure = make_structure();
-      cast_band(view, rays, bands[index], use_cutoff, structure, hit, frame);
-      const double done = static_cast<double>(++bands_done) / bands.count();
-      if (!report_progress(options.progress, "rendering", done)) going = false;
-      const std::lock_guard lock(mutex);
-      counts += structure.counts;
-      exact_evaluations += hit.exact_evaluations();
+      cast_band(view, rays, band, use_cutoff, structure, hit, frame);
+      structure.counts.exact_evaluations = hit.exact_evaluations();
+      return structure.counts;
     });
-    report.counters["exact_evaluations"] += exact_evaluations;
+    report.counters["exact_evaluations"] += counts.exact_evaluations;
     report.counters["structure_steps"] = counts.steps;
     report.counters["triangle_tests"] = counts.triangle_tests;
     report.skipped[std::string(farther_skip.name)] = counts.farther;

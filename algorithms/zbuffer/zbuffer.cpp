@@ -17,16 +17,16 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <limits>
+#include <type_traits>
 
 #include "bands.h"
-#include "parallel.h"
 #include "predicates/sample_predicates.h"
 #include "skips.h"
 #include "view/shading.h"
 #include "zbuffer/depth_format.h"
+#include "zbuffer/depth_stores.h"
 #include "zbuffer/snapped_triangle.h"
+#include "zbuffer/triangle_sources.h"
 
 namespace hsr {
 
@@ -44,103 +44,6 @@ constexpr std::array settings = {
             "every surface opaque, or blended over what is there as it comes, depth written all the same",
             transparency_choices}};
 constexpr std::array skips = {off_screen_skip, between_centres_skip};
-
-constexpr std::uint32_t nothing = background_id;
-
-// Coverage and depth from the triangles as they are, by exact predicates.
-class ExactTriangles {
- public:
-  explicit ExactTriangles(const ScreenTriangles& set_up) : set_up_(set_up) {}
-
-  std::size_t count() const { return set_up_.triangles.size(); }
-  std::uint32_t id(std::size_t index) const { return set_up_.triangles[index].id; }
-  const PixelBox& box(std::size_t index) const { return set_up_.boxes[index]; }
-  const SampleTriangle& triangle(std::size_t index) const { return set_up_.triangles[index]; }
-  bool covers(std::size_t index, double a, double b, SamplePredicates& predicates) const {
-    return predicates.covers(set_up_.triangles[index], a, b);
-  }
-  double inverse_depth(std::size_t index, double a, double b) const {
-    return set_up_.triangles[index].inverse_depth.at(a, b);
-  }
-
- private:
-  const ScreenTriangles& set_up_;
-};
-
-// Coverage and depth from triangles whose corners lie on the grid of `snap`.
-class SnappedTriangles {
- public:
-  explicit SnappedTriangles(const std::vector<SnappedTriangle>& triangles) : triangles_(triangles) {}
-
-  std::size_t count() const { return triangles_.size(); }
-  std::uint32_t id(std::size_t index) const { return triangles_[index].id; }
-  const PixelBox& box(std::size_t index) const { return triangles_[index].box; }
-  bool covers(std::size_t index, double a, double b, SamplePredicates&) const {
-    return triangles_[index].covers(a, b);
-  }
-  double inverse_depth(std::size_t index, double a, double b) const {
-    return triangles_[index].inverse_depth(a, b);
-  }
-
- private:
-  const std::vector<SnappedTriangle>& triangles_;
-};
-
-// One depth per pixel of a band: which triangle is the nearest, compared exactly.
-class ExactDepths {
- public:
-  ExactDepths(std::size_t pixels, const ExactTriangles& triangles, SamplePredicates& predicates)
-      : nearest_(pixels, nothing), triangles_(triangles), predicates_(predicates) {}
-
-  bool store_if_nearer(std::size_t pixel, std::uint32_t index, double a, double b) {
-    std::uint32_t& stored = nearest_[pixel];
-    if (stored != nothing &&
-        predicates_.compare_depth(triangles_.triangle(index), triangles_.triangle(stored), a, b) >= 0) {
-      return false;
-    }
-    stored = index;
-    return true;
-  }
-  std::uint32_t index(std::size_t pixel) const { return nearest_[pixel]; }
-  float eye_depth(std::size_t pixel, double a, double b) const {
-    return predicates_.nearest_float_depth(triangles_.triangle(nearest_[pixel]), a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> nearest_;
-  const ExactTriangles& triangles_;
-  SamplePredicates& predicates_;
-};
-
-// One depth per pixel of a band, rounded to a format.
-template <class Triangles>
-class StoredDepths {
- public:
-  StoredDepths(std::size_t pixels, const Triangles& triangles, const DepthCodec& codec)
-      : nearest_(pixels, nothing),
-        depth_(pixels, std::numeric_limits<double>::infinity()),
-        triangles_(triangles),
-        codec_(codec) {}
-
-  bool store_if_nearer(std::size_t pixel, std::uint32_t index, double a, double b) {
-    const double depth = codec_.stored(triangles_.inverse_depth(index, a, b));
-    if (!(depth < depth_[pixel])) return false;
-    depth_[pixel] = depth;
-    nearest_[pixel] = index;
-    return true;
-  }
-  std::uint32_t index(std::size_t pixel) const { return nearest_[pixel]; }
-  float eye_depth(std::size_t pixel, double, double) const {
-    constexpr double greatest = std::numeric_limits<float>::max();
-    return static_cast<float>(std::min(codec_.eye_depth(depth_[pixel]), greatest));
-  }
-
- private:
-  std::vector<std::uint32_t> nearest_;
-  std::vector<double> depth_;
-  const Triangles& triangles_;
-  DepthCodec codec_;
-};
 
 class ZBuffer : public Renderer {
  public:
@@ -170,22 +73,15 @@ class ZBuffer : public Renderer {
   template <class Triangles>
   void render_bands(const View& view, const Triangles& triangles, const RenderOptions& options,
                     RenderReport& report, Frame& frame) {
-    const Bands bands(view.height, options.threads);
-    std::atomic<std::uint64_t> fragments = 0;
-    std::atomic<std::uint64_t> exact_evaluations = 0;
-    std::atomic<int> bands_done = 0;
-    std::atomic<bool> going = true;
-    parallel_for(bands.count(), options.threads, [&](int index) {
-      if (!going) return;
+    constexpr int bands_per_thread = 4;
+    const FillCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
       SamplePredicates predicates(projection_of(view), *view.scene);
-      fragments += render_band(view, triangles, bands[index], predicates, frame);
-      exact_evaluations += predicates.exact_evaluations();
-      const double done = static_cast<double>(++bands_done) / bands.count();
-      if (!report_progress(options.progress, "rendering", done)) going = false;
+      const std::uint64_t fragments = render_band(view, triangles, band, predicates, frame);
+      return FillCounts{fragments, predicates.exact_evaluations()};
     });
-    report.counters["fragments"] = fragments;
-    report.counters["exact_evaluations"] += exact_evaluations;
-    report.bytes += frame.pixel_count() * (depth_ == "exact" ? 4 : 12);
+    counts.add_to(report);
+    constexpr std::size_t index_bytes = sizeof(std::uint32_t);
+    report.bytes += frame.pixel_count() * (depth_ == "exact" ? index_bytes : index_bytes + sizeof(double));
   }
 
   // 1. Clear every pixel's depth; the frame comes cleared.
@@ -238,7 +134,7 @@ class ZBuffer : public Renderer {
       for (int i = 0; i < view.width; ++i) {
         const std::size_t pixel = frame.index(i, j);
         const std::size_t in_band = pixel - frame.index(0, band.first);
-        if (depths.index(in_band) == nothing) continue;
+        if (depths.index(in_band) == nothing_stored) continue;
         const std::uint32_t id = triangles.id(depths.index(in_band));
         frame.id[pixel] = id;
         frame.depth[pixel] = depths.eye_depth(in_band, centre_a(view.width, i), centre_b(view.height, j));

@@ -6,16 +6,12 @@
 
 #include "algorithm.h"
 #include "support/picture_text.h"
+#include "support/render.h"
 #include "support/small_scenes.h"
 
 namespace {
 
-hsr::Frame render(const hsr::View& view, const std::string& spec_text) {
-  const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
-  hsr::Frame frame(view.width, view.height);
-  spec.algorithm->prepare(*view.scene, spec.settings, {})->render(view, {}, frame);
-  return frame;
-}
+using hsr::test::render;
 
 const std::array<glm::vec3, 3> behind = {{{-9, -9, 0}, {9, -9, 0}, {0, 9, 0}}};
 const std::array<glm::vec3, 3> before = {{{-9, -9, 1}, {9, -9, 1}, {0, 9, 1}}};

@@ -12,20 +12,15 @@
 #include "algorithm.h"
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
-#include "exact/exact_colors.h"
 #include "exact/worker.h"
 #include "scene/catalog.h"
 #include "support/picture_text.h"
+#include "support/render.h"
 #include "support/small_scenes.h"
 
 namespace {
 
-hsr::Frame render(const hsr::View& view, std::string_view spec_text, const hsr::RenderOptions& options = {}) {
-  const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
-  hsr::Frame frame(view.width, view.height);
-  spec.algorithm->prepare(*view.scene, spec.settings, options)->render(view, options, frame);
-  return frame;
-}
+using hsr::test::render;
 
 // "name" with its default settings, then with each other choice of each setting.
 std::vector<std::string> every_setting(const hsr::Algorithm& algorithm) {

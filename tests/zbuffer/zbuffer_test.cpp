@@ -9,29 +9,18 @@
 #include "algorithm.h"
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
-#include "exact/exact_colors.h"
 #include "scene/catalog.h"
 #include "support/picture_text.h"
+#include "support/render.h"
 #include "support/small_scenes.h"
 #include "zbuffer/depth_format.h"
 
 namespace {
 
+using hsr::test::errors_of;
+using hsr::test::render;
+
 constexpr std::uint32_t none = hsr::background_id;
-
-hsr::Frame render(const hsr::View& view, const std::string& spec_text) {
-  const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(spec_text);
-  hsr::Frame frame(view.width, view.height);
-  spec.algorithm->prepare(*view.scene, spec.settings, {})->render(view, {}, frame);
-  return frame;
-}
-
-hsr::exact::Errors errors_of(const hsr::View& view, const std::string& spec_text) {
-  const hsr::Frame frame = render(view, spec_text);
-  const hsr::exact::ExactAnswer exact(view, 2);
-  const hsr::exact::Nearest nearest = exact.nearest(2);
-  return measure_errors(frame, exact, nearest, exact_colors(view, exact, nearest, 2));
-}
 
 }  // namespace
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+#include "algorithm.h"
+#include "exact/errors.h"
+#include "frame/frame.h"
+#include "view/view.h"
+
+namespace hsr::test {
+
+/// The frame that an algorithm, named as on the command line, makes of a view.
+Frame render(const View& view, std::string_view spec_text, const RenderOptions& options = {});
+
+/// The errors of that frame against the exact answer.
+exact::Errors errors_of(const View& view, std::string_view spec_text);
+
+}  // namespace hsr::test
