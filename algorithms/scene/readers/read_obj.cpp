@@ -29,28 +29,22 @@ struct Corner {
   bool has_normal = false;
 };
 
-/// Reads v, v/vt, v//vn or v/vt/vn, also with nothing after a slash. Returns false on anything else.
-bool parse_corner(std::string_view word, Corner& corner) {
-  const char* end = word.data() + word.size();
-  const char* at = parse_whole(word.data(), end, corner.position);
-  if (at == nullptr) {
-    return false;
+/// Reads v, v/vt, v//vn or v/vt/vn, also with nothing after a slash. Returns where that ends, or null.
+const char* parse_corner(const char* at, const char* end, Corner& corner) {
+  at = parse_whole(at, end, corner.position);
+  if (at == nullptr || at == end || *at != '/') {
+    return at;
   }
-  if (at != end && *at == '/') {
-    ++at;
-    if (at != end && *at != '/') {
-      corner.has_texture = true;
-      at = parse_whole(at, end, corner.texture);
-    }
-    if (at != nullptr && at != end && *at == '/') {
-      ++at;
-      if (at != end) {
-        corner.has_normal = true;
-        at = parse_whole(at, end, corner.normal);
-      }
-    }
+  if (const char* texture_end = parse_whole(++at, end, corner.texture)) {
+    corner.has_texture = true;
+    at = texture_end;
   }
-  return at == end;
+  if (at == end || *at != '/') {
+    return at;
+  }
+  const char* normal_end = parse_whole(++at, end, corner.normal);
+  corner.has_normal = normal_end != nullptr;
+  return corner.has_normal ? normal_end : at;
 }
 
 class ObjReader {
@@ -140,11 +134,12 @@ class ObjReader {
   void read_face() {
     corners_.clear();
     attribute_warned_ = false;
-    for (std::string_view word = lines_.word(); !word.empty(); word = lines_.word()) {
+    while (lines_.find_word()) {
       Corner corner;
-      if (!parse_corner(word, corner)) {
+      if (!lines_.parsed_word(
+              [&](const char* at, const char* end) { return parse_corner(at, end, corner); })) {
         input_.warnings.add("faces that cannot be read", place(),
-                            [&] { return in_quotes(word) + " is not a corner: face dropped"; });
+                            [&] { return in_quotes(lines_.word()) + " is not a corner: face dropped"; });
         return;
       }
       const auto known = static_cast<std::int64_t>(assembler_.vertices());

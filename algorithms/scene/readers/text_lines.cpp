@@ -2,8 +2,6 @@
 
 #include <cstring>
 
-#include "scene/readers/numbers.h"
-
 namespace hsr {
 
 TextLines::TextLines(std::string_view text, Backslash backslash, std::uint64_t first_line)
@@ -34,16 +32,6 @@ bool TextLines::skip_joint() {
   at_ = after + 1;
   ++line_;
   return true;
-}
-
-void TextLines::skip_blanks() {
-  while (at_ != end_) {
-    if (is_blank(*at_) || (*at_ == '\r' && newline_ == '\n')) {
-      ++at_;
-    } else if (!skip_joint()) {
-      return;
-    }
-  }
 }
 
 /// Goes to the start of the next line, past what is left of this one.
@@ -89,11 +77,6 @@ bool TextLines::next_line() {
   }
 }
 
-bool TextLines::find_word() {
-  skip_blanks();
-  return at_ != end_ && *at_ != newline_ && *at_ != '#';
-}
-
 std::string_view TextLines::word() {
   if (!find_word()) {
     return {};
@@ -109,30 +92,6 @@ std::string_view TextLines::word() {
     ++at_;
   }
   return {first, static_cast<std::size_t>(at_ - first)};
-}
-
-bool TextLines::decimal(float& value) {
-  if (!find_word()) {
-    return false;
-  }
-  const char* stop = parse_decimal(at_, end_, value);
-  if (stop == nullptr || !ends_number(stop)) {
-    return false;
-  }
-  at_ = stop;
-  return true;
-}
-
-bool TextLines::whole(std::int64_t& value) {
-  if (!find_word()) {
-    return false;
-  }
-  const char* stop = parse_whole(at_, end_, value);
-  if (stop == nullptr || !ends_number(stop)) {
-    return false;
-  }
-  at_ = stop;
-  return true;
 }
 
 std::string_view TextLines::rest() {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "scene/readers/numbers.h"
+
 namespace hsr {
 
 /// Walks through the words of a text line by line, past blanks and comments (a word that begins
@@ -25,12 +27,31 @@ class TextLines {
   std::string_view word();
 
   /// Goes past the blanks before the next word of the line. Returns false when there is none left.
-  bool find_word();
+  bool find_word() {
+    skip_blanks();
+    return at_ != end_ && *at_ != newline_ && *at_ != '#';
+  }
 
-  /// Reads the next word of the line as a number (see numbers.h). Returns false, with the word
-  /// still to be read, if the line has no further word or that is not a number.
-  bool decimal(float& value);
-  bool whole(std::int64_t& value);
+  /// Reads the next word of the line with `parse`, which is given where it begins and where the text
+  /// ends and returns where it stopped, or null. Returns false, with the word still to be read, if
+  /// the line has no further word or `parse` does not stop at the end of one.
+  template <class Parse>
+  bool parsed_word(Parse&& parse) {
+    const char* stop = find_word() ? parse(at_, end_) : nullptr;
+    if (stop == nullptr || !ends_number(stop)) {
+      return false;
+    }
+    at_ = stop;
+    return true;
+  }
+
+  /// Reads the next word of the line as a number (see numbers.h), or returns false.
+  bool decimal(float& value) {
+    return parsed_word([&](const char* at, const char* end) { return parse_decimal(at, end, value); });
+  }
+  bool whole(std::int64_t& value) {
+    return parsed_word([&](const char* at, const char* end) { return parse_whole(at, end, value); });
+  }
 
   /// The rest of the line as it stands, comments included, without blanks at both ends.
   std::string_view rest();
@@ -50,7 +71,15 @@ class TextLines {
     return ends_word(at) || (backslash_ == Backslash::continues_line && *at == '\\');
   }
   bool skip_joint();
-  void skip_blanks();
+  void skip_blanks() {
+    while (at_ != end_) {
+      if (is_blank(*at_) || (*at_ == '\r' && newline_ == '\n')) {
+        ++at_;
+      } else if (*at_ != '\\' || !skip_joint()) {
+        return;
+      }
+    }
+  }
   void skip_line();
 
   const char* begin_;
