@@ -1,5 +1,7 @@
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -73,3 +75,18 @@ using Faces = std::vector<std::uint32_t>;
 using Lines = std::vector<std::string>;
 
 }  // namespace hsr::test
+
+namespace doctest {
+
+template <>
+struct StringMaker<hsr::test::Lines> {
+  static String convert(const hsr::test::Lines& lines) {
+    std::string text;
+    for (const std::string& line : lines) {
+      text += "\n    " + line;
+    }
+    return text.c_str();
+  }
+};
+
+}  // namespace doctest

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "scene/readers/numbers.h"
 #include "scene/readers/text_lines.h"
 
 namespace hsr {
@@ -51,12 +52,14 @@ class MtlReader {
 
   /// The next number of the line, within [0, 1]; nothing if there is none.
   std::optional<float> unit_value() {
+    const std::string_view word = lines_.word();
+    const char* end = word.data() + word.size();
     float value = 0;
-    if (!lines_.find_word()) {
+    if (word.empty()) {
       return std::nullopt;
     }
-    if (!lines_.decimal(value) || std::isnan(value)) {
-      warn(in_quotes(lines_.word()) + " is not a number: left out");
+    if (parse_decimal(word.data(), end, value) != end || std::isnan(value)) {
+      warn(in_quotes(word) + " is not a number: left out");
       return std::nullopt;
     }
     if (value < 0 || value > 1) {
@@ -65,12 +68,17 @@ class MtlReader {
     return std::clamp(value, 0.0F, 1.0F);
   }
 
+  /// Three numbers, or one for grey.
   void read_color() {
     const std::optional<float> red = unit_value();
-    const std::optional<float> green = red ? unit_value() : std::nullopt;
-    const std::optional<float> blue = green ? unit_value() : std::nullopt;
-    if (material_ != nullptr && red) {  // a single number is grey
-      material_->color = glm::vec3(*red, green.value_or(*red), blue.value_or(*red));
+    if (!red) {
+      return;
+    }
+    const bool is_grey = !lines_.find_word();
+    const std::optional<float> green = is_grey ? red : unit_value();
+    const std::optional<float> blue = is_grey ? red : unit_value();
+    if (material_ != nullptr && green && blue) {
+      material_->color = glm::vec3(*red, *green, *blue);
     }
   }
 
