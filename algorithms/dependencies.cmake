@@ -50,6 +50,7 @@ find_package(ZLIB QUIET)
 if(NOT TARGET ZLIB::ZLIB)
   hsr_fetch(zlib https://github.com/madler/zlib.git v1.3.1)
   target_include_directories(zlibstatic INTERFACE ${zlib_SOURCE_DIR} ${zlib_BINARY_DIR})
+  set_target_properties(zlibstatic PROPERTIES POSITION_INDEPENDENT_CODE ON)  # OpenEXR is shared
   add_library(ZLIB::ZLIB ALIAS zlibstatic)
 endif()
 hsr_alias(zlib ZLIB::ZLIB)
