@@ -132,8 +132,7 @@ class OffReader {
       input_.fail(start, "number of corners expected, not " + in_quotes(lines_.word()));
     }
     if (static_cast<std::uint64_t>(count) > lines_.bytes_left()) {
-      input_.fail(start, "truncated: face of " + std::to_string(count) + " corners, but only " +
-                             counted(lines_.bytes_left(), "byte", "bytes") + " left");
+      fail_truncated(faces_, "faces");
     }
     corners_.clear();
     bool wrapped = false;
