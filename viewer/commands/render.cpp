@@ -69,6 +69,25 @@ void print_summary(const RenderCommand& command, const Statistics& statistics, s
   out << "\n";
 }
 
+/// What the algorithm did and left out, by name; work on rays also per ray.
+void print_work(const RenderReport& report, std::ostream& out) {
+  const auto rays = report.counters.find("rays");
+  std::string work = "bytes " + grouped(report.bytes);
+  for (const auto& [name, count] : report.counters) {
+    work += ", " + name + " " + grouped(count);
+    const bool per_ray = name == "structure_steps" || name == "triangle_tests";
+    if (rays != report.counters.end() && rays->second > 0 && per_ray) {
+      work += " (" + three_digits(static_cast<double>(count) / static_cast<double>(rays->second)) + " a ray)";
+    }
+  }
+  std::string skipped;
+  for (const auto& [name, count] : report.skipped) {
+    skipped += (skipped.empty() ? "" : ", ") + name + " " + grouped(count);
+  }
+  out << definition("work", work, 2, 12);
+  if (!skipped.empty()) out << definition("skipped", skipped, 2, 12);
+}
+
 }  // namespace
 
 void run(const RenderCommand& command, std::ostream& out) {
@@ -94,6 +113,7 @@ void run(const RenderCommand& command, std::ostream& out) {
   write_files(command, frame, statistics, bar.listener());
   bar.erase();
   print_summary(command, statistics, out);
+  print_work(report, out);
 }
 
 }  // namespace hsr
