@@ -65,6 +65,7 @@ if(NOT TARGET OpenEXR::OpenEXR)
   set(OPENEXR_INSTALL OFF CACHE BOOL "" FORCE)
   set(OPENEXR_INSTALL_TOOLS OFF CACHE BOOL "" FORCE)
   set(OPENEXR_BUILD_TOOLS OFF CACHE BOOL "" FORCE)
+  set(OPENEXR_FORCE_INTERNAL_IMATH ON CACHE BOOL "" FORCE)  # it finds its own half on a second run
   set(OPENEXR_INSTALL_EXAMPLES OFF CACHE BOOL "" FORCE)
   hsr_fetch(openexr https://github.com/AcademySoftwareFoundation/openexr.git v3.1.5)
 endif()
