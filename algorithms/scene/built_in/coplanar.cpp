@@ -13,9 +13,9 @@ struct Board {
 };
 
 constexpr std::array<Board, 3> boards{{
-    {{-3.75, 0.0, 0.0}, {0.375, 0.0, 0.0}, {0.0, 0.375, 0.0}},
+    {{-3.25, 0.0, 0.0}, {0.375, 0.0, 0.0}, {0.0, 0.375, 0.0}},
     {{0.0, 0.0, 0.0}, {0.25, 0.125, -0.25}, {-0.25, 0.25, -0.125}},         // normal along (1, 2, 2)
-    {{3.75, 0.0, 0.0}, {0.375, 0.125, -0.1875}, {-0.1875, 0.375, -0.125}},  // normal along (2, 3, 6)
+    {{3.25, 0.0, 0.0}, {0.375, 0.125, -0.1875}, {-0.1875, 0.375, -0.125}},  // normal along (2, 3, 6)
 }};
 
 // On each board a square, another square turned by 3-4-5, a triangle, and the same triangle once more
@@ -31,7 +31,7 @@ Scene make_coplanar(std::span<const double>) {
     builder.polygon({at(-3, 0), at(2, -4), at(3, 3)});
     builder.polygon({at(3, 3), at(2, -4), at(-3, 0)});
   }
-  return builder.finish({.eye = {0.5, 1.0, 8.0}, .target = {0.0, 0.125, 0.0}});
+  return builder.finish({.eye = {0.5, 1.0, 9.5}, .target = {0.0, 0.125, 0.0}});
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ Scene make_crossing(std::span<const double>) {
     };
     builder.polygon({turned(corners[0]), turned(corners[1]), turned(corners[2])});
   }
-  return builder.finish({.eye = {0.5, -1.25, 4.5}, .target = {0.0, 0.0, 0.0}});
+  return builder.finish({.eye = {0.5, -1.25, 4.75}, .target = {0.0, 0.125, 0.0}});
 }
 
 }  // namespace

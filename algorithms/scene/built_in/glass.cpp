@@ -46,7 +46,7 @@ Scene make_glass(std::span<const double> values) {
   builder.material("ball", okabe_ito::vermilion);
   builder.mesh(bumpy_sphere_mesh(8), 0.875, {0.0, 1.0, 0.0});
   add_floor(builder);
-  return builder.finish({.eye = {1.0, 2.75, 6.5}, .target = {0.0, 0.75, 0.0}});
+  return builder.finish({.eye = {1.0, 2.75, 7.0}, .target = {0.125, 0.75, 0.0}});
 }
 
 }  // namespace
