@@ -23,9 +23,8 @@ namespace {
 template <typename Number, typename... Format>
 std::optional<Number> read(std::string_view text, Format... format) {
   Number number{};
-  const char* last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number, format...);
-  if (error != std::errc() || end != last) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number, format...);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return number;
 }
 
