@@ -67,8 +67,9 @@ TEST_CASE("scene: all spellings of OBJ lines mean the same") {
            square + "f 1// 2// 3// 4//\n",
            square + "vt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1 4/-1/-1\n",
            "# path: C:\\mesh\\\n" + square + "f 1 2 3 4\n",
-           std::string("v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n"),  // weights,
-                                                                                                    // colours
+           std::string(
+               "v 0 0 0 1\nv 1 0 0 0.5\nv 1 1 0 1 0 0\nv 0 1 0 0.1 0.2 0.3\nf 1 2 3 4\n"),  // weights,
+                                                                                            // colours
            square + "o a f 1 2 3\ng f 1 2 3\ns off\nl 1 2\np 1\nvp 0 0\nf 1 2 3 4\n",
        }) {
     CAPTURE(text);
@@ -134,6 +135,12 @@ TEST_CASE("scene: odd OBJ lines are said and passed over") {
         Lines{"a.obj:5: face repeats a corner", "a.obj: 1 triangle has no area and will cover nothing"});
   CHECK(read_text("a.obj", square + "f 1 3 2 4\n").warnings ==
         Lines{"a.obj:5: face's outline crosses itself"});
+}
+
+TEST_CASE("scene: OBJ line numbers count joined lines, too") {
+  CHECK(read_text("a.obj", square + "l 1 \\\n 2\nf 1 2 3\nf 1 \\\n 2 \\\n 99\nf 2\n").warnings ==
+        Lines{"a.obj:8: vertex index 99 out of range (4 vertices): face dropped",
+              "a.obj:11: face with 1 corner dropped"});
 }
 
 TEST_CASE("scene: many OBJ warnings of one kind are counted") {

@@ -104,7 +104,8 @@ std::string gzip_of_blanks(std::size_t copies) {
 
 TEST_CASE("scene: the reader is chosen by content where the ending lies or says nothing") {
   const std::string glb = gltf().glb();
-  for (const std::string& content : {obj, off, ply, stl, binary_stl(), gltf().gltf(), glb}) {
+  for (const std::string& content :
+       {obj, off, ply, stl, binary_stl(), gltf().gltf(), glb, "\xEF\xBB\xBF" + off, "\xEF\xBB\xBF" + ply}) {
     for (const char* name :
          {"a.obj", "a.ply", "a.off", "a.stl", "a.gltf", "a.glb", "a.OBJ", "a.txt", "a", "a.obj.gz"}) {
       CAPTURE(content.substr(0, 20));

@@ -34,6 +34,9 @@ std::uint64_t half_of_memory() {
                                : std::uint64_t{1} << 32U;
 }
 
+/// The most that is read from a pipe or device, which might never end.
+constexpr std::uint64_t greatest_stream = std::uint64_t{1} << 30U;
+
 /// The size that the system tells, as a hint: pipes and devices have none.
 std::uint64_t size_hint(const fs::path& file) {
   std::error_code error;
@@ -52,13 +55,14 @@ std::string raw_file_bytes(const fs::path& file, const Progress& progress) {
   if (!stream) {
     fail(file, std::generic_category().message(errno));
   }
-  const std::uint64_t limit = half_of_memory();
   const std::uint64_t expected = size_hint(file);
+  const std::uint64_t limit = expected > 0 ? half_of_memory() : std::min(half_of_memory(), greatest_stream);
   std::string bytes;
   std::size_t filled = 0;
   for (;;) {
     if (filled > limit || expected > limit) {
-      fail(file, "is larger than half of this machine's memory");
+      fail(file, expected > 0 ? "is larger than half of this machine's memory"
+                              : "gives more than 1 GiB: only a file that knows its size may be larger");
     }
     constexpr std::size_t least_room = 1U << 16U;
     if (bytes.size() - filled < least_room) {

@@ -8,7 +8,7 @@
 namespace hsr {
 
 /// The whole content of a file as it is. Throws InputError when the file is missing, a folder,
-/// unreadable or larger than half of the machine's memory.
+/// unreadable, larger than half of the machine's memory, or a pipe that gives more than 1 GiB.
 std::string raw_file_bytes(const std::filesystem::path& file, const Progress& progress);
 
 /// The same, inflated if it is a gzip file (told by content). Throws InputError also when gzip data

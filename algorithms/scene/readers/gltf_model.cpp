@@ -17,26 +17,6 @@ namespace {
 constexpr std::array<std::string_view, 3> supported_extensions{
     "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit"};
 
-/// Deeper nesting than any glTF file has, so that JSON cannot grow without end from a few bytes.
-constexpr int greatest_depth = 100;
-
-json parse_json(const Input& input, std::string_view text) {
-  const auto bound_depth = [&](int depth, json::parse_event_t /*event*/, json& /*parsed*/) {
-    if (depth > greatest_depth) {
-      input.fail({}, "JSON nested more than " + std::to_string(greatest_depth) + " deep");
-    }
-    return true;
-  };
-  try {
-    return json::parse(text.begin(), text.end(), bound_depth);
-  } catch (const json::parse_error& error) {
-    const auto offset = static_cast<std::uint64_t>(text.data() - input.bytes.data());
-    input.fail(Place::byte(offset + error.byte), "broken JSON");
-  } catch (const json::out_of_range&) {  // of which the library does not say where
-    input.fail({}, "the JSON holds a number beyond the range of double");
-  }
-}
-
 class ModelParser {
  public:
   ModelParser(const Input& input, const JsonObject& root) : input_(input), root_(root) {}

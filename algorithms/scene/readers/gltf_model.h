@@ -96,6 +96,6 @@ struct GltfModel {
 /// Reads the JSON part of a glTF file. Throws InputError on broken JSON (with the byte), on what
 /// the specification does not allow (with the path to it), and on required extensions that are not
 /// supported (with their names). Warns of what is left out.
-GltfModel parse_gltf(const Input& input, std::string_view json);
+GltfModel parse_gltf(const Input& input, std::string_view text);
 
 }  // namespace hsr

@@ -12,6 +12,10 @@
 
 namespace hsr {
 
+/// Parses JSON, which is a part of the input's bytes. Throws InputError, with the byte, where it is
+/// broken, and on nesting more than 100 deep, of which a few bytes could make a lot of memory.
+nlohmann::json parse_json(const Input& input, std::string_view text);
+
 /// A JSON object with the path to it ("nodes[3]"), read with checks: what is missing or of another
 /// type than asked for throws InputError with its path.
 class JsonObject {

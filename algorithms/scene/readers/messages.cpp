@@ -58,6 +58,7 @@ std::vector<std::string> Warnings::lines() const {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [](const Line& a, const Line& b) { return a.number < b.number; });
   std::vector<std::string> result;
+  result.reserve(sorted.size() + counts.size() + others_.size());
   for (Line& line : sorted) {
     result.push_back(std::move(line.text));
   }

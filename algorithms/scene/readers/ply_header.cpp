@@ -187,7 +187,7 @@ std::size_t PlyElement::least_row_bytes() const {
 }
 
 PlyHeader read_ply_header(const Input& input) {
-  if (!input.bytes.starts_with("ply")) {
+  if (!input.bytes.starts_with("ply") && !input.bytes.starts_with("\xEF\xBB\xBFply")) {
     input.fail({}, "not a PLY file: it does not begin with 'ply'");
   }
   const std::size_t end = find_end(input.bytes);
