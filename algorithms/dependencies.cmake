@@ -70,6 +70,9 @@ if(NOT TARGET OpenEXR::OpenEXR)
   hsr_fetch(openexr https://github.com/AcademySoftwareFoundation/openexr.git v3.1.5)
 endif()
 hsr_alias(openexr OpenEXR::OpenEXR)
+if(openexr_SOURCE_DIR)
+  target_include_directories(hsr_openexr SYSTEM INTERFACE ${openexr_SOURCE_DIR}/src/lib)  # <OpenEXR/...>
+endif()
 
 # JSON.
 find_package(nlohmann_json QUIET CONFIG)
