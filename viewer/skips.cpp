@@ -25,7 +25,7 @@ std::set<std::string, std::less<>> chosen_skips(const std::vector<std::string>& 
     } else {
       const std::string whose =
           algorithms.size() == 1 ? " of " + std::string(algorithms.front().algorithm->name) : "";
-      known.push_back("all");
+      known.emplace_back("all");
       throw UsageError("--no-skip: unknown skip \"" + name + "\"" + whose + what_there_is(name, known));
     }
   }
