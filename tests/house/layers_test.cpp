@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <regex>
 #include <set>
 #include <string>
 
@@ -21,15 +20,16 @@ std::string part_of(const path& file) { return file.begin()->string(); }
 
 /// The parts that the files below `folder` include.
 Names included_by(const std::string& folder) {
-  static const std::regex include("#include \"([^\"]+)\"");
+  const std::string include = "#include \"";
   Names parts;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(algorithms / folder)) {
     const path& file = entry.path();
     if (file.extension() != ".h" && file.extension() != ".cpp") continue;
     const std::string text = hsr::test::content_of(file);
-    for (std::sregex_iterator found(text.begin(), text.end(), include); found != std::sregex_iterator();
-         ++found) {
-      parts.insert(part_of((*found)[1].str()));
+    for (std::size_t found = text.find(include); found != std::string::npos;
+         found = text.find(include, found + 1)) {
+      const std::size_t begin = found + include.size();
+      parts.insert(part_of(text.substr(begin, text.find('"', begin) - begin)));
     }
   }
   return parts;
