@@ -88,7 +88,7 @@ if(NOT TARGET CLI11::CLI11)
 endif()
 hsr_alias(cli11 CLI11::CLI11)
 
-# PNG files: a header without a build of its own, included as <stb/stb_image_write.h>.
+# PNG files, read back by the tests: headers without a build of their own, included as <stb/stb_image.h>.
 find_path(STB_INCLUDE_DIR stb/stb_image_write.h)
 if(NOT STB_INCLUDE_DIR)
   hsr_fetch(stb https://github.com/nothings/stb.git 8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55
