@@ -32,6 +32,18 @@ TEST_CASE("scene: the sides of a line are told exactly") {
   CHECK(hsr::orientation({-greatest, -greatest}, {greatest, greatest}, {least, least}) == 0);
 }
 
+TEST_CASE("scene: products that round to the same double are still told apart") {
+  // a and b lie on a line through the origin; c misses it by the least that whole numbers can.
+  const glm::dvec2 direction(1048573, 1048571);
+  const glm::dvec2 a = std::ldexp(1.0, 25) * direction;
+  const glm::dvec2 b = std::ldexp(1.0, 24) * direction;
+  const glm::dvec2 c(524287, 524286);
+  CHECK((a.x - c.x) * (b.y - c.y) == (a.y - c.y) * (b.x - c.x));  // in double
+  CHECK(hsr::orientation(a, b, c) == -1);
+  CHECK(hsr::orientation(a, b, -c) == 1);
+  CHECK(hsr::orientation(a, b, -direction) == 0);
+}
+
 TEST_CASE("scene: orientation equals plain rationals on points close to a line and of any size") {
   std::mt19937 random(5);
   for (int i = 0; i < 3000; ++i) {

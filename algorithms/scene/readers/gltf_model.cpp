@@ -234,8 +234,8 @@ class ModelParser {
 
 }  // namespace
 
-GltfModel parse_gltf(const Input& input, std::string_view text) {
-  const json root = parse_json(input, text);
+GltfModel parse_gltf(const Input& input, std::string_view json_text) {
+  const json root = parse_json(input, json_text);
   if (!root.is_object()) {
     input.fail({}, "is not glTF: the JSON is not an object");
   }

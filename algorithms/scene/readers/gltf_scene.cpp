@@ -51,8 +51,8 @@ Scene GltfSceneBuilder::build() {
   std::vector<Visit> to_visit;
   std::vector<bool> visited(model_.nodes.size(), false);
   const auto push = [&](const std::vector<std::uint32_t>& nodes, const glm::dmat4& world_from_parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-      to_visit.push_back({*node, world_from_parent});
+    for (std::size_t i = nodes.size(); i-- > 0;) {  // backwards, as the last one is visited first
+      to_visit.push_back({nodes[i], world_from_parent});
     }
   };
   push(model_.roots, glm::dmat4(1.0));

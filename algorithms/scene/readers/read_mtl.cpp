@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "scene/readers/numbers.h"
 #include "scene/readers/text_lines.h"
 
 namespace hsr {
@@ -52,13 +51,14 @@ class MtlReader {
 
   /// The next number of the line, within [0, 1]; nothing if there is none.
   std::optional<float> unit_value() {
-    const std::string_view word = lines_.word();
-    const char* end = word.data() + word.size();
-    float value = 0;
+    TextLines after = lines_;
+    const std::string_view word = after.word();
     if (word.empty()) {
       return std::nullopt;
     }
-    if (parse_decimal(word.data(), end, value) != end || std::isnan(value)) {
+    float value = 0;
+    if (!lines_.decimal(value) || std::isnan(value)) {
+      lines_ = after;
       warn(in_quotes(word) + " is not a number: left out");
       return std::nullopt;
     }
