@@ -1,5 +1,5 @@
 #include <array>
-#include <cmath>
+#include <glm/geometric.hpp>
 
 #include "scene/built_in/entries.h"
 #include "scene/built_in/mesh_builder.h"
@@ -13,12 +13,6 @@ constexpr std::array<SceneParameter, 2> needles_parameters{{
     {"n", "number of needles", 400, 1, 1000000, true},
 }};
 
-double length(const glm::dvec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
-glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 // Every needle is one triangle of length 2 from the middle of its short side to its tip: centre in a
 // box of 3 × 2 × 2, direction uniform on the sphere, turned about itself at random.
 Scene make_needles(std::span<const double> values) {
@@ -28,8 +22,8 @@ Scene make_needles(std::span<const double> values) {
   for (int k = 0; k < static_cast<int>(values[1]); ++k) {
     const glm::dvec3 centre = random.in_box({-1.5, -1.0, -1.0}, {1.5, 1.0, 1.0});
     const glm::dvec3 along = random.on_sphere();
-    const glm::dvec3 across = cross(along, random.on_sphere());
-    const glm::dvec3 side = across / length(across) * half_width;
+    const glm::dvec3 across = glm::cross(along, random.on_sphere());
+    const glm::dvec3 side = glm::normalize(across) * half_width;
     builder.polygon({centre - along - side, centre - along + side, centre + along});
   }
   return builder.finish({.eye = {0.0, 0.0, 5.5}, .target = {0.0, 0.0, 0.0}});
