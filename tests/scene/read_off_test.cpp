@@ -35,13 +35,13 @@ TEST_CASE("scene: OFF is read with comments, colours and blank lines between") {
 
 TEST_CASE("scene: OFF headers with letters, with counts, or none at all are understood") {
   const Corners want{{0, 1, 2}};
-  for (const char* text : {"OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2",
-                           "OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
-                           "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n",
-                           "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n",
-                           "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1 0 0\n1 0 0 0 0 1 1 1 1 1 0 0\n"
-                           "0 1 0 0 0 1 1 1 1 1 0 0\n3 0 1 2\n",
-                           "OFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0\r\n1 2\r\n"}) {
+  for (const char* text :
+       {"OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2",
+        "OFF\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n",
+        "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n",
+        "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n",
+        "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 1 1 1\n1 0 0 0 0 1 1 1 1 1\n0 1 0 0 0 1 1 1 1 1\n3 0 1 2\n",
+        "OFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0\r\n1 2\r\n"}) {
     CAPTURE(text);
     const Reading got = read_text("a.off", text);
     CHECK(got.error.empty());

@@ -43,16 +43,16 @@ std::string binary(std::endian order) {
   put(std::uint16_t{0});
   for (int i = 0; i < 4; ++i) {
     put(std::uint8_t{7});
-    put(i / 2 + 0.1);
+    put(i < 2 ? 0.1 : 1.1);
     put(static_cast<std::int16_t>(i == 1 || i == 2 ? -300 : 0));
     put(std::uint8_t{2});
     put(std::int8_t{1});
     put(std::int8_t{-1});
     put(static_cast<float>(i));
   }
-  for (const std::uint32_t count : {4U, 3U}) {
+  for (const std::uint16_t count : {std::uint16_t{4}, std::uint16_t{3}}) {
     put(std::int32_t{-5});
-    put(count);
+    put(std::uint32_t{count});
     for (std::uint16_t corner = 0; corner < count; ++corner) {
       put(corner);
     }
