@@ -81,6 +81,9 @@ int winding(std::span<const glm::dvec2> outline) {
     twice_area += p.x * q.y - p.y * q.x;
     magnitude += std::abs(p.x * q.y) + std::abs(p.y * q.x);
   }
+  if (magnitude == 0) {
+    return 0;  // every product is truly 0: nothing in float32's range underflows here
+  }
   // A product carries at most three roundings, its way through the sums at most n + 1 more, and
   // `magnitude` itself may be too small by as many: (2n + 16) units cover them for every n < 2^50.
   const double error = (2 * static_cast<double>(outline.size()) + 16) * unit_roundoff * magnitude;

@@ -76,6 +76,9 @@ TEST_CASE("scene: the winding of an outline is exact, however far from the origi
   CHECK(hsr::winding(std::vector<glm::dvec2>{{0, 0}, {0, 1}, {1, 0}}) == -1);
   CHECK(hsr::winding(std::vector<glm::dvec2>{{0, 0}, {1, 1}, {1, 0}, {0, 1}}) == 0);  // crosses itself
   CHECK(hsr::winding(std::vector<glm::dvec2>{{0, 0}, {1, 1}}) == 0);
+  CHECK(hsr::winding(std::vector<glm::dvec2>(9, glm::dvec2(3, 4))) == 0);
+  const double tiny = std::ldexp(1.0, -149);
+  CHECK(hsr::winding(std::vector<glm::dvec2>{{0, 0}, {tiny, 0}, {tiny, tiny}}) == 1);
   // A long thin outline whose area is lost in double: 2^127 wide, with one corner off by 2^-149.
   const double far = std::ldexp(1.0, 127);
   CHECK(hsr::winding(std::vector<glm::dvec2>{{-far, 0}, {0, -std::ldexp(1.0, -149)}, {far, 0}, {1, 0}}) == 1);
