@@ -56,18 +56,13 @@ Scene read(const Input& input) {
   input.fail({}, "not a scene: neither content nor ending is that of OBJ, PLY, OFF, STL, glTF or GLB");
 }
 
-// A mesh that is closed but for a few edges has a rim, or a slip in it. Triangles that share no
-// corners at all are nothing to warn of, and in a large mesh the search would take longer than
-// reading does.
-void warn_of_gaps(const Scene& scene, Warnings& warnings) {
-  constexpr std::size_t most_triangles = 100000;
-  constexpr std::size_t least_edges_for_each_open_one = 10;
-  if (scene.triangles.size() > most_triangles) return;
-  const EdgeCounts counts = count_edges(scene);
-  if (counts.open == 0 || counts.open * least_edges_for_each_open_one > counts.edges) return;
-  warnings.add("gaps", {}, [&] {
-    return counted(counts.open, "edge", "edges") + " of " + std::to_string(counts.edges) +
-           " belong to one triangle only: the surface has a rim or gaps";
+// A rim is often meant; a hole with three edges hardly ever is.
+void warn_of_holes(const Scene& scene, Warnings& warnings) {
+  const std::size_t holes = open_edges(scene).triangular_holes;
+  if (holes == 0) return;
+  warnings.add("holes", {}, [&] {
+    return counted(holes, "hole", "holes") +
+           " with three edges: a triangle is missing, or a face leaves out a corner that its neighbours have";
   });
 }
 
@@ -79,7 +74,7 @@ Scene read_scene(const fs::path& file, ReadReport& report, const Progress& progr
     Warnings warnings(file.string());
     Scene scene = read(Input{file, bytes, progress, warnings});
     scene.name = file.filename().string();
-    warn_of_gaps(scene, warnings);
+    warn_of_holes(scene, warnings);
     report.warnings = warnings.lines();
     report.bytes = bytes.size();
     (void)report_progress(progress, "reading", 1.0);

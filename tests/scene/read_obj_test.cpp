@@ -48,9 +48,9 @@ TEST_CASE("scene: a negative OBJ index counts back from the last vertex") {
 }
 
 TEST_CASE("scene: an OBJ face may come before its vertices and keeps its place") {
-  const Reading got = read_text("a.obj", square + "f 1 2 3\nf 1 5 6\nf 1 3 4\nv 2 2 0\nv 3 2 0\nf 4 5 6\n");
+  const Reading got = read_text("a.obj", square + "f 1 2 3\nf 2 5 6\nf 1 3 4\nv 2 2 0\nv 3 2 0\nf 4 5 6\n");
   CHECK(got.warnings.empty());
-  CHECK(corners(got.scene) == Corners{{0, 1, 2}, {0, 4, 5}, {0, 2, 3}, {3, 4, 5}});
+  CHECK(corners(got.scene) == Corners{{0, 1, 2}, {1, 4, 5}, {0, 2, 3}, {3, 4, 5}});
   CHECK(faces(got.scene) == Faces{0, 1, 2, 3});
 }
 
