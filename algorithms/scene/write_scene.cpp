@@ -6,12 +6,12 @@
 
 namespace hsr {
 
-void write_scene(const Scene& scene, const std::filesystem::path& file) {
+void write_scene(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
   const std::string ending = lower_case(file.extension().string());
   if (ending == ".obj") {
-    write_obj(scene, file);
+    write_obj(scene, file, progress);
   } else if (ending == ".ply") {
-    write_ply(scene, file);
+    write_ply(scene, file, progress);
   } else {
     throw InputError("cannot write " + file.string() + ": the ending must be .obj or .ply");
   }

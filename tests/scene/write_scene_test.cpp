@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "scene/errors.h"
 #include "scene/read_scene.h"
@@ -135,4 +136,23 @@ TEST_CASE("scene: an export that fails says why and leaves nothing behind") {
   CHECK_THROWS_AS(hsr::write_scene(scene, folder / "a.obj"), hsr::InputError);
   CHECK_THROWS_AS(hsr::write_scene(scene, folder / "no/such/folder/a.ply"), hsr::InputError);
   CHECK(entries(folder) == 1);
+}
+
+TEST_CASE("scene: writing tells its progress and, asked to stop, leaves nothing behind") {
+  const TemporaryFolder folder;
+  const Scene scene = scene_of_any_floats();
+  for (const char* name : {"a.obj", "a.ply"}) {
+    CAPTURE(name);
+    int reports = 0;
+    const auto listen = [&](std::string_view stage, double done) {
+      ++reports;
+      CHECK(stage == "writing");
+      CHECK(done >= 0.0);
+      CHECK(done <= 1.0);
+      return false;
+    };
+    CHECK_THROWS_WITH_AS(hsr::write_scene(scene, folder / name, listen), "interrupted", hsr::InputError);
+    CHECK(reports == 1);
+  }
+  CHECK(fs::is_empty(folder / ""));
 }

@@ -63,9 +63,10 @@ std::string mtl_text(const std::vector<Material>& materials, const std::vector<s
   return text;
 }
 
-void write_positions(const Scene& scene, OutputFile& output) {
+void write_positions(const Scene& scene, OutputFile& output, RowProgress& rows) {
   std::string line;
   for (const glm::vec3& position : scene.positions) {
+    rows.next();
     line = "v";
     for (int k = 0; k < 3; ++k) {
       line += ' ';
@@ -76,10 +77,12 @@ void write_positions(const Scene& scene, OutputFile& output) {
 }
 
 /// Faces of triangles in id order, with usemtl where the material changes.
-void write_triangles(const Scene& scene, const std::vector<std::string>& names, OutputFile& output) {
+void write_triangles(const Scene& scene, const std::vector<std::string>& names, OutputFile& output,
+                     RowProgress& rows) {
   std::uint32_t material = no_material;
   std::string line;
   for (const Triangle& triangle : scene.triangles) {
+    rows.next();
     line.clear();
     if (triangle.material != material) {
       material = triangle.material;
@@ -96,7 +99,7 @@ void write_triangles(const Scene& scene, const std::vector<std::string>& names, 
 
 }  // namespace
 
-void write_obj(const Scene& scene, const fs::path& file) {
+void write_obj(const Scene& scene, const fs::path& file, const Progress& progress) {
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   const bool has_library = !scene.materials.empty() && (!fs::exists(status) || fs::is_regular_file(status));
@@ -107,8 +110,9 @@ void write_obj(const Scene& scene, const fs::path& file) {
     if (has_library) {
       output.write("mtllib " + library.filename().string() + "\n");
     }
-    write_positions(scene, output);
-    write_triangles(scene, names, output);
+    RowProgress rows(scene, progress);
+    write_positions(scene, output, rows);
+    write_triangles(scene, names, output, rows);
     output.close();
     if (has_library) {  // here, so that a failure leaves neither file behind
       write_file_atomically(library, [&](const fs::path& temporary_library) {

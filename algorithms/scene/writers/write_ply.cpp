@@ -23,12 +23,14 @@ std::string header(const Scene& scene) {
 
 }  // namespace
 
-void write_ply(const Scene& scene, const std::filesystem::path& file) {
+void write_ply(const Scene& scene, const std::filesystem::path& file, const Progress& progress) {
   write_file_atomically(file, [&](const std::filesystem::path& temporary) {
     OutputFile output(temporary);
     output.write(header(scene));
+    RowProgress rows(scene, progress);
     std::string row;
     for (const glm::vec3& position : scene.positions) {
+      rows.next();
       row.clear();
       for (int k = 0; k < 3; ++k) {
         append_little_endian(row, std::bit_cast<std::uint32_t>(position[k]));
@@ -36,6 +38,7 @@ void write_ply(const Scene& scene, const std::filesystem::path& file) {
       output.write(row);
     }
     for (const Triangle& triangle : scene.triangles) {
+      rows.next();
       row.assign(1, '\3');
       for (const std::uint32_t corner : triangle.corners) {
         append_little_endian(row, corner);
