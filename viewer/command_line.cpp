@@ -14,7 +14,7 @@
 #include "nearest_name.h"
 #include "option_helpers.h"
 #include "scene/errors.h"
-#include "skips.h"
+#include "skip_choice.h"
 
 namespace hsr {
 namespace {

@@ -6,7 +6,7 @@
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
-#include "skips.h"
+#include "skip_choice.h"
 
 namespace hsr {
 namespace {

@@ -10,7 +10,7 @@
 #include "picture.h"
 #include "scene/atomic_file.h"
 #include "scene/errors.h"
-#include "skips.h"
+#include "skip_choice.h"
 #include "statistics.h"
 #include "text_layout.h"
 

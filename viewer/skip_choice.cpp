@@ -1,4 +1,4 @@
-#include "skips.h"
+#include "skip_choice.h"
 
 #include <algorithm>
 #include <string_view>
