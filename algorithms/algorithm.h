@@ -10,8 +10,10 @@
 #include <string_view>
 
 #include "frame/frame.h"
+#include "predicates/pixel_box.h"
 #include "scene/progress.h"
 #include "scene/scene.h"
+#include "trace/event.h"
 #include "view/view.h"
 
 namespace hsr {
@@ -47,11 +49,12 @@ struct Traits {
 /// A value for every setting of an algorithm, by name.
 using Settings = std::map<std::string, std::string, std::less<>>;
 
-/// How a frame is to be made, without any influence on what is in it.
+/// How a frame is to be made, without any influence on what a pixel shows.
 struct RenderOptions {
   int threads = 1;                                    ///< at least 1
   std::set<std::string, std::less<>> skips_off = {};  ///< names of skips not to use
   Progress progress = {};
+  std::optional<PixelBox> window = {};  ///< if given, only these pixels are rendered
 
   bool uses(std::string_view skip) const { return !skips_off.contains(skip); }
 };
@@ -73,6 +76,12 @@ class Renderer {
   /// Keeps nothing that depends on the camera from one call to the next. Does not throw. If the
   /// progress function asks to stop, returns early with an unfinished frame.
   virtual RenderReport render(const View& view, const RenderOptions& options, Frame& frame) = 0;
+
+  /// As render, on one thread, and tells `listener` every step in order. The steps of a view are the
+  /// same each time, and the frame is that of render. With a window, steps at other pixels are left
+  /// out, and steps that are about no pixel are told all the same.
+  virtual RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
+                             Frame& frame);
 };
 
 /// One row of the table of algorithms.

@@ -1,7 +1,5 @@
 #include "painting.h"
 
-#include <algorithm>
-
 #include "bands.h"
 #include "predicates/sample_predicates.h"
 #include "view/shading.h"
@@ -18,7 +16,7 @@ constexpr std::uint32_t nothing_painted = background_id;
 void show_depth_and_id(const View& view, const ScreenTriangles& set_up, Band band,
                        const LastPainted& last_painted, SamplePredicates& predicates, Frame& frame) {
   for (int j = band.first; j < band.last; ++j) {
-    for (int i = 0; i < view.width; ++i) {
+    for (int i = band.first_i; i <= band.last_i; ++i) {
       const std::size_t in_band =
           static_cast<std::size_t>(j - band.first) * static_cast<std::size_t>(view.width) +
           static_cast<std::size_t>(i);
@@ -36,9 +34,9 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
                              const glm::vec4& color, SamplePredicates& predicates, LastPainted& last_painted,
                              Frame& frame) {
   const SampleTriangle& triangle = set_up.triangles[index];
-  const PixelBox& box = set_up.boxes[index];
+  const PixelBox box = band.within(set_up.boxes[index]);
   std::uint64_t painted = 0;
-  for (int j = std::max(box.first_j, band.first); j <= std::min(box.last_j, band.last - 1); ++j) {
+  for (int j = box.first_j; j <= box.last_j; ++j) {
     const double b = centre_b(view.height, j);
     const std::size_t row = frame.index(0, j);
     const std::size_t row_in_band =
@@ -60,7 +58,7 @@ void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::
                     const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
                     Frame& frame) {
   constexpr int bands_per_thread = 4;
-  const FillCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
+  const FillCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
     SamplePredicates predicates(projection_of(view), *view.scene);
     LastPainted last_painted(
         static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width),

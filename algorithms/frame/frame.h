@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "frame/fragment_lists.h"
 #include "scene/scene.h"
 
 namespace hsr {
@@ -32,6 +34,8 @@ struct Frame {
   std::vector<glm::vec4> color;   ///< linear RGB times opacity, and opacity; background all zero
   std::vector<float> depth;       ///< eye depth in scene units; background +infinity
   std::vector<std::uint32_t> id;  ///< primitive id; background_id where nothing is shown
+  /// Set by whoever wants them, and filled by algorithms that keep every fragment; else left empty.
+  std::optional<FragmentLists> lists;
 };
 
 }  // namespace hsr

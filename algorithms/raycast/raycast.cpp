@@ -132,7 +132,7 @@ class RayCaster : public Renderer {
                   MakeStructure make_structure, RenderReport& report, Frame& frame) {
     constexpr int bands_per_thread = 16;  // rays differ more in cost than rows of fragments do
     const bool use_cutoff = options.uses(farther_skip.name);
-    const TraversalCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
+    const TraversalCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
       auto hit = make_hit();
       auto structure = make_structure();
       cast_band(view, rays, band, use_cutoff, structure, hit, frame);
@@ -150,7 +150,7 @@ class RayCaster : public Renderer {
   void cast_band(const View& view, const EyeRays& rays, Band band, bool use_cutoff, Structure& structure,
                  NearestHit& hit, Frame& frame) {
     for (int j = band.first; j < band.last; ++j) {
-      for (int i = 0; i < view.width; ++i) {
+      for (int i = band.first_i; i <= band.last_i; ++i) {
         // 1. The ray from the eye through the pixel's centre.
         const double a = centre_a(view.width, i);
         const double b = centre_b(view.height, j);

@@ -15,7 +15,6 @@
 
 #include "zbuffer/zbuffer.h"
 
-#include <algorithm>
 #include <array>
 #include <type_traits>
 
@@ -74,7 +73,7 @@ class ZBuffer : public Renderer {
   void render_bands(const View& view, const Triangles& triangles, const RenderOptions& options,
                     RenderReport& report, Frame& frame) {
     constexpr int bands_per_thread = 4;
-    const FillCounts counts = for_each_band(view.height, options, bands_per_thread, [&](Band band) {
+    const FillCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
       SamplePredicates predicates(projection_of(view), *view.scene);
       const std::uint64_t fragments = render_band(view, triangles, band, predicates, frame);
       return FillCounts{fragments, predicates.exact_evaluations()};
@@ -107,10 +106,10 @@ class ZBuffer : public Renderer {
     std::uint64_t fragments = 0;
     // 2. Take the triangles one after the other.
     for (std::size_t index = 0; index < triangles.count(); ++index) {
-      const PixelBox& box = triangles.box(index);
+      const PixelBox box = band.within(triangles.box(index));
       const glm::vec4& color = colors_[triangles.id(index)];
       // 3. For each pixel whose centre the triangle covers
-      for (int j = std::max(box.first_j, band.first); j <= std::min(box.last_j, band.last - 1); ++j) {
+      for (int j = box.first_j; j <= box.last_j; ++j) {
         const double b = centre_b(view.height, j);
         for (int i = box.first_i; i <= box.last_i; ++i) {
           const double a = centre_a(view.width, i);
@@ -131,7 +130,7 @@ class ZBuffer : public Renderer {
   template <class Triangles, class Depths>
   void show(const View& view, const Triangles& triangles, Band band, const Depths& depths, Frame& frame) {
     for (int j = band.first; j < band.last; ++j) {
-      for (int i = 0; i < view.width; ++i) {
+      for (int i = band.first_i; i <= band.last_i; ++i) {
         const std::size_t pixel = frame.index(i, j);
         const std::size_t in_band = pixel - frame.index(0, band.first);
         if (depths.index(in_band) == nothing_stored) continue;

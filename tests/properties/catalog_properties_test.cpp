@@ -148,6 +148,29 @@ TEST_CASE("properties: rendering twice with one renderer gives the same frame") 
   }
 }
 
+TEST_CASE("properties: a window renders its own pixels alone, and the same as without one") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("three-bars");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 40, 30);
+  for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
+    CAPTURE(algorithm->name);
+    hsr::Frame expected = render(view, algorithm->name);
+    hsr::RenderOptions options;
+    options.threads = 2;
+    options.window = hsr::PixelBox{7, 25, 11, 19};
+    for (int j = 0; j < view.height; ++j) {
+      for (int i = 0; i < view.width; ++i) {
+        if (7 <= i && i <= 25 && 11 <= j && j <= 19) continue;
+        expected.id[expected.index(i, j)] = hsr::background_id;
+        expected.depth[expected.index(i, j)] = std::numeric_limits<float>::infinity();
+        expected.color[expected.index(i, j)] = glm::vec4(0.0F);
+      }
+    }
+    const std::string text = hsr::test::difference(render(view, algorithm->name, options), expected);
+    CHECK_MESSAGE(text.empty(), text);
+  }
+}
+
 TEST_CASE("properties: every algorithm covers every pixel on a shared edge, and nothing outside") {
   // Eight triangles round a pixel's centre. At this distance a pixel is one unit wide and centres lie
   // at odd halves, so all shared edges and the whole border run through centres.

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "scene/scene.h"
+
+namespace hsr {
+
+/// What kind of step an algorithm made. The comments say which fields of Event it fills in beside
+/// `p`, the triangle that it is about (background_id where there is none).
+enum class EventKind : std::uint8_t {
+  // Painter's algorithm and Newell's
+  key_given,  ///< value: the sort key, eye depth in scene units
+  placed,     ///< number: the place in the order, from 0; the first is painted first
+  // Newell's: P is p, the farthest that is left, and Q is q
+  compared,   ///< number: the test, 1 to 6; passed: it shows that P may be painted before Q
+  exchanged,  ///< q is to be painted before p, and is marked
+  cycled,     ///< q is marked already, so p and q overlap in a cycle; number: its length
+  crossed,    ///< p and q cross each other: neither may be painted before the other
+  split,      ///< p is cut by the plane of q; number: pieces so far
+  released,   ///< nothing that is left lies behind p, so it is painted next; number: its place
+  // A picture
+  painted,  ///< at a pixel: p goes over q; value, other: their eye depths
+  // The z-buffer
+  depth_tested,  ///< at a pixel: p against the stored q; value, other: the depths that were compared;
+                 ///< passed: p is nearer and is stored
+  // Lists of fragments
+  fragment_stored,   ///< at a pixel: value: eye depth; number: fragments stored there by now
+  fragment_dropped,  ///< at a pixel: p lies behind q, which hides it, or the list is full (q background)
+  list_sorted,       ///< at a pixel: number: its fragments
+  fragment_taken,    ///< at a pixel: p is blended behind what is nearer; number: rank from 0, value: depth
+  // Ray casting
+  ray_started,      ///< at a pixel
+  node_entered,     ///< number: the node of the hierarchy, or the cell of the grid; value: depth at entry
+  node_passed_by,   ///< number as above: the ray misses it, or it begins behind the nearest hit
+  triangle_tested,  ///< at a pixel: passed: the ray meets p; value: the depth there
+  nearest_replaced  ///< at a pixel: p is nearer than q; value, other: their depths
+};
+
+/// One step of an algorithm. Fields that a kind does not use keep their defaults.
+struct Event {
+  EventKind kind = EventKind::painted;
+  bool passed = false;
+  std::int32_t i = -1;  ///< the pixel's column, or -1
+  std::int32_t j = -1;  ///< the pixel's row, or -1
+  std::uint32_t p = background_id;
+  std::uint32_t q = background_id;
+  std::uint32_t piece_p = 0;  ///< which piece of p, where triangles are cut; 0 is the whole
+  std::uint32_t piece_q = 0;
+  std::uint32_t number = 0;
+  double value = 0.0;
+  double other = 0.0;
+};
+
+/// Told every event in order.
+using EventListener = std::function<void(const Event&)>;
+
+}  // namespace hsr
