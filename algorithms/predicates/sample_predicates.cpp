@@ -8,36 +8,15 @@ namespace hsr {
 
 namespace {
 
-// Powers of two, so that ids spread by their low bits. Neighbouring pixels ask about the same few
-// triangles; a few dozen entries keep the repeated work of a row of ambiguous pixels away.
-constexpr std::size_t triangle_cache_size = 64;
-constexpr std::size_t pair_cache_size = 256;
-
 int sign_at(const Homogeneous<Dyadic>& plane, double a, double b) { return at_sample(plane, a, b).sign(); }
 
 }  // namespace
 
-struct SamplePredicates::ExactTriangle {
-  std::uint32_t id = background_id;
-  HomogeneousTriangle<Dyadic> oriented;  // signs turned so that det > 0
-  int orientation = 0;                   // the sign that det had
-};
-
-struct SamplePredicates::SamePlane {
-  std::uint32_t p = background_id;
-  std::uint32_t q = background_id;
-  bool same = false;
-};
-
 SamplePredicates::SamplePredicates(const Projection& projection, const Scene& scene)
     : projection_(projection),
-      scene_(scene),
       sure_inverse_near_((Bounded(1.0) / Bounded(projection.near_depth)).lower()),
       sure_inverse_far_((Bounded(1.0) / Bounded(projection.far_depth)).upper()),
-      triangles_(triangle_cache_size),
-      same_planes_(pair_cache_size) {}
-
-SamplePredicates::~SamplePredicates() = default;
+      triangles_(projection, scene) {}
 
 std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
                                                        const std::array<Homogeneous<Bounded>, 3>& corner) {
@@ -47,7 +26,7 @@ std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
   if (triangle.det.surely_negative()) orientation = -1;
   if (orientation == 0) {
     ++exact_evaluations_;
-    orientation = exact_triangle(id).orientation;
+    orientation = triangles_.one(id).orientation;
     if (orientation == 0) return std::nullopt;
   }
 
@@ -75,7 +54,7 @@ std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
 
 bool SamplePredicates::exactly_covers(std::uint32_t id, double a, double b) {
   ++exact_evaluations_;
-  const ExactTriangle& triangle = exact_triangle(id);
+  const ExactTriangle& triangle = triangles_.one(id);
   if (triangle.orientation == 0) return false;
   for (const Homogeneous<Dyadic>& edge : triangle.oriented.edge) {
     if (sign_at(edge, a, b) < 0) return false;
@@ -90,50 +69,11 @@ bool SamplePredicates::exactly_covers(std::uint32_t id, double a, double b) {
 int SamplePredicates::exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b) {
   if (p == q) return 0;
   ++exact_evaluations_;
-  const ExactTriangle& first = exact_triangle(p);
-  // The second look-up may replace the first entry of the cache where both ids fall on it.
-  std::optional<ExactTriangle> kept;
-  if (p % triangle_cache_size == q % triangle_cache_size) kept = first;
-  const ExactTriangle& second = exact_triangle(q);
-  const ExactTriangle& first_again = kept ? *kept : first;
-  if (same_plane(first_again, second)) return 0;
-  const Dyadic inverse_p = at_sample(first_again.oriented.sum, a, b) * second.oriented.det;
-  const Dyadic inverse_q = at_sample(second.oriented.sum, a, b) * first_again.oriented.det;
+  if (triangles_.same_plane(p, q)) return 0;
+  const auto [first, second] = triangles_.pair(p, q);
+  const Dyadic inverse_p = at_sample(first.oriented.sum, a, b) * second.oriented.det;
+  const Dyadic inverse_q = at_sample(second.oriented.sum, a, b) * first.oriented.det;
   return (inverse_q - inverse_p).sign();
-}
-
-bool SamplePredicates::same_plane(const ExactTriangle& p, const ExactTriangle& q) {
-  SamePlane& entry = same_planes_[(p.id * 31U + q.id) % pair_cache_size];
-  if (entry.p == p.id && entry.q == q.id) return entry.same;
-  entry = {p.id, q.id, true};
-  for (std::size_t axis = 0; axis < 3 && entry.same; ++axis) {
-    entry.same = (p.oriented.sum[axis] * q.oriented.det - q.oriented.sum[axis] * p.oriented.det).sign() == 0;
-  }
-  return entry.same;
-}
-
-const SamplePredicates::ExactTriangle& SamplePredicates::exact_triangle(std::uint32_t id) {
-  ExactTriangle& entry = triangles_[id % triangle_cache_size];
-  if (entry.id != id) entry = make_exact_triangle(id);
-  return entry;
-}
-
-SamplePredicates::ExactTriangle SamplePredicates::make_exact_triangle(std::uint32_t id) const {
-  std::array<Homogeneous<Dyadic>, 3> corner;
-  for (std::size_t k = 0; k < 3; ++k) {
-    corner[k] = clip_from_world<Dyadic>(projection_, scene_.positions[scene_.triangles[id].corners[k]]);
-  }
-  ExactTriangle result;
-  result.id = id;
-  result.oriented = homogeneous_triangle(projection_, corner);
-  result.orientation = result.oriented.det.sign();
-  if (result.orientation < 0) {
-    for (Homogeneous<Dyadic>& edge : result.oriented.edge) edge = {-edge[0], -edge[1], -edge[2]};
-    Homogeneous<Dyadic>& sum = result.oriented.sum;
-    sum = {-sum[0], -sum[1], -sum[2]};
-    result.oriented.det = -result.oriented.det;
-  }
-  return result;
 }
 
 float SamplePredicates::nearest_float_depth(const SampleTriangle& triangle, double a, double b) {
@@ -144,7 +84,7 @@ float SamplePredicates::nearest_float_depth(const SampleTriangle& triangle, doub
     if (below == static_cast<float>(depth.upper())) return below;
   }
   ++exact_evaluations_;
-  const ExactTriangle& exact = exact_triangle(triangle.id);
+  const ExactTriangle& exact = triangles_.one(triangle.id);
   const Dyadic sum = at_sample(exact.oriented.sum, a, b);
   long det_exponent = 0;
   long sum_exponent = 0;

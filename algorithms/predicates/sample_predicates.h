@@ -2,11 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <vector>
 
-#include "predicates/dyadic.h"
+#include "predicates/exact_triangle.h"
 #include "predicates/homogeneous.h"
 #include "predicates/sample_triangle.h"
 #include "scene/scene.h"
@@ -24,9 +22,6 @@ namespace hsr {
 class SamplePredicates {
  public:
   SamplePredicates(const Projection& projection, const Scene& scene);
-  ~SamplePredicates();
-  SamplePredicates(const SamplePredicates&) = delete;
-  SamplePredicates& operator=(const SamplePredicates&) = delete;
 
   /// Sets up triangle `id` from its corners in clip space. Nothing if it covers no sample at all: it
   /// has no area, or the eye lies in its plane.
@@ -47,22 +42,14 @@ class SamplePredicates {
   std::uint64_t exact_evaluations() const { return exact_evaluations_; }
 
  private:
-  struct ExactTriangle;
-  struct SamePlane;
-
   bool exactly_covers(std::uint32_t id, double a, double b);
   int exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b);
-  bool same_plane(const ExactTriangle& p, const ExactTriangle& q);
-  const ExactTriangle& exact_triangle(std::uint32_t id);
-  ExactTriangle make_exact_triangle(std::uint32_t id) const;
 
   Projection projection_;
-  const Scene& scene_;
   double sure_inverse_near_;  // a 1/depth below it is surely beyond near
   double sure_inverse_far_;   // a 1/depth above it is surely before far
   std::uint64_t exact_evaluations_ = 0;
-  std::vector<ExactTriangle> triangles_;  // cache, by id modulo its size
-  std::vector<SamePlane> same_planes_;    // cache, by both ids
+  ExactTriangleCache triangles_;
 };
 
 // The filters are here so that they are inlined; what they cannot settle is decided elsewhere.
