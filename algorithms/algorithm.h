@@ -57,6 +57,12 @@ struct RenderOptions {
   std::optional<PixelBox> window = {};  ///< if given, only these pixels are rendered
 
   bool uses(std::string_view skip) const { return !skips_off.contains(skip); }
+  /// The same on one thread, as traces need it.
+  RenderOptions on_one_thread() const {
+    RenderOptions one = *this;
+    one.threads = 1;
+    return one;
+  }
 };
 
 /// What was left out and what was done while making a frame.

@@ -2,6 +2,7 @@
 
 #include "bands.h"
 #include "predicates/sample_predicates.h"
+#include "trace/trace.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -30,9 +31,25 @@ void show_depth_and_id(const View& view, const ScreenTriangles& set_up, Band ban
   }
 }
 
+// The step at pixel (i, j): triangle `index` is about to be painted over what is there.
+Event painted_step(const View& view, const ScreenTriangles& set_up, std::uint32_t index, std::uint32_t below,
+                   int i, int j, SamplePredicates& predicates) {
+  const double a = centre_a(view.width, i);
+  const double b = centre_b(view.height, j);
+  Event event = {.kind = EventKind::painted, .blended = true, .i = i, .j = j};
+  event.p = set_up.triangles[index].id;
+  event.value = predicates.nearest_float_depth(set_up.triangles[index], a, b);
+  if (below != nothing_painted) {
+    event.q = set_up.triangles[below].id;
+    event.other = predicates.nearest_float_depth(set_up.triangles[below], a, b);
+  }
+  return event;
+}
+
+template <class Trace>
 std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, std::uint32_t index, Band band,
-                             const glm::vec4& color, SamplePredicates& predicates, LastPainted& last_painted,
-                             Frame& frame) {
+                             const glm::vec4& color, SamplePredicates& predicates, const Trace& trace,
+                             LastPainted& last_painted, Frame& frame) {
   const SampleTriangle& triangle = set_up.triangles[index];
   const PixelBox box = band.within(set_up.boxes[index]);
   std::uint64_t painted = 0;
@@ -44,6 +61,9 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
     for (int i = box.first_i; i <= box.last_i; ++i) {
       if (!predicates.covers(triangle, centre_a(view.width, i), b)) continue;
       const auto column = static_cast<std::size_t>(i);
+      if constexpr (Trace::active) {
+        trace.add(painted_step(view, set_up, index, last_painted[row_in_band + column], i, j, predicates));
+      }
       frame.color[row + column] = over(color, frame.color[row + column]);
       last_painted[row_in_band + column] = index;
       ++painted;
@@ -54,10 +74,12 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
 
 }  // namespace
 
+template <class Trace>
 void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
-                    const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
-                    Frame& frame) {
-  constexpr int bands_per_thread = 4;
+                    const std::vector<glm::vec4>& colors, const RenderOptions& options, const Trace& trace,
+                    RenderReport& report, Frame& frame) {
+  // In one band the steps come triangle by triangle.
+  constexpr int bands_per_thread = Trace::active ? 1 : 4;
   const FillCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
     SamplePredicates predicates(projection_of(view), *view.scene);
     LastPainted last_painted(
@@ -66,7 +88,7 @@ void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::
     FillCounts filled;
     for (const std::uint32_t triangle : order) {
       filled.fragments += paint_triangle(view, set_up, triangle, band, colors[set_up.triangles[triangle].id],
-                                         predicates, last_painted, frame);
+                                         predicates, trace, last_painted, frame);
     }
     show_depth_and_id(view, set_up, band, last_painted, predicates, frame);
     filled.exact_evaluations = predicates.exact_evaluations();
@@ -74,5 +96,12 @@ void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::
   });
   counts.add_to(report);
 }
+
+template void paint_in_order(const View&, const ScreenTriangles&, const std::vector<std::uint32_t>&,
+                             const std::vector<glm::vec4>&, const RenderOptions&, const NoTrace&,
+                             RenderReport&, Frame&);
+template void paint_in_order(const View&, const ScreenTriangles&, const std::vector<std::uint32_t>&,
+                             const std::vector<glm::vec4>&, const RenderOptions&, const EventTrace&,
+                             RenderReport&, Frame&);
 
 }  // namespace hsr

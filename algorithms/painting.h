@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -15,9 +14,10 @@ namespace hsr {
 ///
 /// `order` holds indices into `set_up.triangles`; the first is painted first. `colors` are
 /// premultiplied, by id. Adds to the report's counters. Pixels that nothing covers keep what they
-/// have.
+/// have. Tells every `painted` to `trace` (trace/trace.h: NoTrace or EventTrace).
+template <class Trace>
 void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
-                    const std::vector<glm::vec4>& colors, const RenderOptions& options, RenderReport& report,
-                    Frame& frame);
+                    const std::vector<glm::vec4>& colors, const RenderOptions& options, const Trace& trace,
+                    RenderReport& report, Frame& frame);
 
 }  // namespace hsr

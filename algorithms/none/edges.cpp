@@ -7,8 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "trace/trace.h"
 #include "view/clip.h"
 #include "view/pipeline.h"
+#include "view/shading.h"
 
 namespace hsr {
 
@@ -39,15 +41,43 @@ glm::dvec2 raster_from_clip(const View& view, const glm::dvec3& xyw) {
   return {(1.0 + xyw.x / xyw.z) / 2.0 * view.width, (1.0 - xyw.y / xyw.z) / 2.0 * view.height};
 }
 
-void draw_line(glm::dvec2 from, glm::dvec2 to, const glm::vec4& ink, Frame& frame) {
+// Draws pixels of the picture, or of a window in it, for one face after the other.
+template <class Trace>
+class Pen {
+ public:
+  Pen(const PixelBox& window, const Trace& trace, Frame& frame)
+      : window_(window), trace_(trace), frame_(frame) {}
+
+  void take_face(std::size_t first_triangle) { triangle_ = static_cast<std::uint32_t>(first_triangle); }
+
+  void draw(int i, int j) {
+    if (i < window_.first_i || i > window_.last_i || j < window_.first_j || j > window_.last_j) return;
+    if constexpr (Trace::active) {
+      trace_.add({.kind = EventKind::edge_drawn, .i = i, .j = j, .p = triangle_});
+    }
+    frame_.color[frame_.index(i, j)] = edge_ink;
+  }
+
+  int width() const { return frame_.width; }
+  int height() const { return frame_.height; }
+
+ private:
+  PixelBox window_;
+  const Trace& trace_;
+  Frame& frame_;
+  std::uint32_t triangle_ = background_id;
+};
+
+template <class Pen>
+void draw_line(glm::dvec2 from, glm::dvec2 to, Pen& pen) {
   const bool steep = std::abs(to.y - from.y) > std::abs(to.x - from.x);
   if (steep) {
     std::swap(from.x, from.y);
     std::swap(to.x, to.y);
   }
   if (from.x > to.x) std::swap(from, to);
-  const int along_count = steep ? frame.height : frame.width;
-  const int across_count = steep ? frame.width : frame.height;
+  const int along_count = steep ? pen.height() : pen.width();
+  const int across_count = steep ? pen.width() : pen.height();
   const int first = static_cast<int>(std::floor(std::clamp(from.x, 0.0, static_cast<double>(along_count))));
   const int last = static_cast<int>(std::floor(std::clamp(to.x, -1.0, along_count - 1.0)));
   const double slope = to.x > from.x ? (to.y - from.y) / (to.x - from.x) : 0.0;
@@ -56,11 +86,12 @@ void draw_line(glm::dvec2 from, glm::dvec2 to, const glm::vec4& ink, Frame& fram
     const double across = std::floor(from.y + slope * (at - from.x));
     if (!(across >= 0.0 && across < across_count)) continue;
     const int other = static_cast<int>(across);
-    frame.color[steep ? frame.index(other, along) : frame.index(along, other)] = ink;
+    pen.draw(steep ? other : along, steep ? along : other);
   }
 }
 
-void draw_edge(const View& view, const Edge& edge, const glm::vec4& ink, Frame& frame) {
+template <class Pen>
+void draw_edge(const View& view, const Edge& edge, Pen& pen) {
   const Scene& scene = *view.scene;
   const std::vector<glm::dvec3> segment = {clip_xyw(view, scene.positions[edge.first]),
                                            clip_xyw(view, scene.positions[edge.second])};
@@ -68,20 +99,27 @@ void draw_edge(const View& view, const Edge& edge, const glm::vec4& ink, Frame& 
       clip_polygon(clip_to_near(segment, view.near_depth),
                    [&](const glm::dvec3& corner) { return view.far_depth - corner.z; });
   if (visible.size() < 2) return;
-  draw_line(raster_from_clip(view, visible[0]), raster_from_clip(view, visible[1]), ink, frame);
+  draw_line(raster_from_clip(view, visible[0]), raster_from_clip(view, visible[1]), pen);
 }
 
 }  // namespace
 
-void draw_face_edges(const View& view, const glm::vec4& ink, Frame& frame) {
+template <class Trace>
+void draw_face_edges(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
+  const PixelBox everything = {0, view.width - 1, 0, view.height - 1};
+  Pen pen(options.window.value_or(everything), trace, frame);
   const std::vector<Triangle>& triangles = view.scene->triangles;
   std::size_t first = 0;
   while (first < triangles.size()) {
     std::size_t last = first + 1;
     while (last < triangles.size() && triangles[last].face == triangles[first].face) ++last;
-    for (const Edge& edge : outline(*view.scene, first, last)) draw_edge(view, edge, ink, frame);
+    pen.take_face(first);
+    for (const Edge& edge : outline(*view.scene, first, last)) draw_edge(view, edge, pen);
     first = last;
   }
 }
+
+template void draw_face_edges(const View&, const RenderOptions&, const NoTrace&, Frame&);
+template void draw_face_edges(const View&, const RenderOptions&, const EventTrace&, Frame&);
 
 }  // namespace hsr

@@ -17,6 +17,7 @@
 #include "none/edges.h"
 #include "painting.h"
 #include "skips.h"
+#include "trace/trace.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -32,9 +33,6 @@ constexpr std::array settings = {
             edge_choices}};
 constexpr std::array skips = {off_screen_skip, between_centres_skip};
 
-// Dark enough to be told from every shaded colour of the palette.
-constexpr glm::vec4 ink(0.01F, 0.01F, 0.01F, 1.0F);
-
 class FileOrder : public Renderer {
  public:
   FileOrder(const Scene& scene, const Settings& chosen, int threads)
@@ -43,6 +41,16 @@ class FileOrder : public Renderer {
         colors_(surface_colors(scene, threads)) {}
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    return run(view, options, NoTrace(), frame);
+  }
+  RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
+                     Frame& frame) override {
+    return run(view, options.on_one_thread(), EventTrace(listener), frame);
+  }
+
+ private:
+  template <class Trace>
+  RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
     const ScreenTriangles set_up = set_up_with_skips(view, options, report);
 
@@ -54,15 +62,14 @@ class FileOrder : public Renderer {
     }
 
     // 2. Paint in file order.
-    paint_in_order(view, set_up, order, colors_, options, report, frame);
+    paint_in_order(view, set_up, order, colors_, options, trace, report, frame);
     report.bytes += order.capacity() * sizeof(std::uint32_t);
 
     // 3. Draw every edge over it.
-    if (edges_) draw_face_edges(view, ink, frame);
+    if (edges_) draw_face_edges(view, options, trace, frame);
     return report;
   }
 
- private:
   bool front_only_;
   bool edges_;
   std::vector<glm::vec4> colors_;

@@ -20,6 +20,7 @@
 
 #include "painting.h"
 #include "skips.h"
+#include "trace/trace.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -57,6 +58,16 @@ class Painter : public Renderer {
       : key_(chosen.find("key")->second), colors_(surface_colors(scene, threads)) {}
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    return run(view, options, NoTrace(), frame);
+  }
+  RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
+                     Frame& frame) override {
+    return run(view, options.on_one_thread(), EventTrace(listener), frame);
+  }
+
+ private:
+  template <class Trace>
+  RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
     const ScreenTriangles set_up = set_up_with_skips(view, options, report);
 
@@ -67,20 +78,30 @@ class Painter : public Renderer {
       Corners corner;
       for (std::size_t k = 0; k < 3; ++k) corner[k] = view.scene->positions[triangle.corners[k]];
       keys[index] = sort_key(view, corner, key_);
+      if constexpr (Trace::active) {
+        trace.add({.kind = EventKind::key_given, .p = set_up.triangles[index].id, .value = keys[index]});
+      }
     }
 
     // 2. Sort, the farthest first. Equal keys keep the file's order.
     std::vector<std::uint32_t> order(keys.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::stable_sort(order, [&](std::uint32_t p, std::uint32_t q) { return keys[p] > keys[q]; });
+    if constexpr (Trace::active) {
+      for (std::uint32_t place = 0; place < order.size(); ++place) {
+        trace.add({.kind = EventKind::placed,
+                   .p = set_up.triangles[order[place]].id,
+                   .number = place,
+                   .value = keys[order[place]]});
+      }
+    }
 
     // 3. Paint in that order.
-    paint_in_order(view, set_up, order, colors_, options, report, frame);
+    paint_in_order(view, set_up, order, colors_, options, trace, report, frame);
     report.bytes += keys.size() * (sizeof(double) + 2 * sizeof(std::uint32_t));
     return report;
   }
 
- private:
   std::string key_;
   std::vector<glm::vec4> colors_;
 };

@@ -37,26 +37,32 @@ class BvhTraversal {
   }
 
   /// The visitor has test(id), and cutoff(): no triangle surely farther than that eye depth matters.
+  /// Where its `traced` is true, its `steps` are told (RaySteps).
   template <class Visitor>
   void visit(const Ray& ray, Visitor& visitor) {
     if (hierarchy_.empty()) return;
     start(ray);
     double entry = 0.0;
-    if (!enters(hierarchy_.nodes().front().box, entry)) return;
+    if (!enters(hierarchy_.nodes().front().box, entry)) {
+      if constexpr (Visitor::traced) visitor.steps.pass_by_node(0, 0.0, false);
+      return;
+    }
     stack_.push_back({0, entry});
     while (!stack_.empty()) {
       const Open open = stack_.back();
       stack_.pop_back();
       if (open.entry > visitor.cutoff()) {
         ++counts.farther;
+        if constexpr (Visitor::traced) visitor.steps.pass_by_node(open.node, open.entry, true);
         continue;
       }
+      if constexpr (Visitor::traced) visitor.steps.enter_node(open.node, open.entry);
       const BoundingVolumeHierarchy::Node& node = hierarchy_.nodes()[open.node];
       for (std::uint32_t place = node.first; place < node.first + node.count; ++place) {
         ++counts.triangle_tests;
         visitor.test(hierarchy_.triangles()[place]);
       }
-      if (node.count == 0) push_children(node.first);
+      if (node.count == 0) push_children(node.first, visitor);
     }
   }
 
@@ -98,11 +104,16 @@ class BvhTraversal {
     return !(entry > exit * (1.0 + rounding));
   }
 
-  void push_children(std::uint32_t first_child) {
+  template <class Visitor>
+  void push_children(std::uint32_t first_child, Visitor& visitor) {
     Open near_child = {first_child, 0.0};
     Open far_child = {first_child + 1, 0.0};
     bool enters_near = enters(hierarchy_.nodes()[near_child.node].box, near_child.entry);
     bool enters_far = enters(hierarchy_.nodes()[far_child.node].box, far_child.entry);
+    if constexpr (Visitor::traced) {
+      if (!enters_near) visitor.steps.pass_by_node(near_child.node, 0.0, false);
+      if (!enters_far) visitor.steps.pass_by_node(far_child.node, 0.0, false);
+    }
     if (far_child.entry < near_child.entry) {
       std::swap(near_child, far_child);
       std::swap(enters_near, enters_far);

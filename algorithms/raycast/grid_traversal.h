@@ -107,6 +107,10 @@ class GridTraversal {
   template <class Visitor>
   void test_cell(Visitor& visitor) {
     const std::size_t cell = grid_.cell(cell_);
+    if constexpr (Visitor::traced) {
+      visitor.steps.enter_cell(static_cast<std::uint32_t>(cell),
+                               grid_.begin()[cell] < grid_.begin()[cell + 1]);
+    }
     for (std::uint32_t place = grid_.begin()[cell]; place < grid_.begin()[cell + 1]; ++place) {
       const std::uint32_t id = grid_.triangles()[place];
       Mail& mail = mailbox_[id % mailbox_.size()];

@@ -27,6 +27,7 @@
 #include "raycast/grid_traversal.h"
 #include "raycast/nearest_hit.h"
 #include "skips.h"
+#include "trace/trace.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -66,7 +67,9 @@ class EveryTriangle {
 // A NearestHit that never says that a box is too far away.
 template <class NearestHit>
 struct WithoutCutoff {
+  static constexpr bool traced = NearestHit::traced;
   NearestHit& hit;
+  decltype(NearestHit::steps)& steps = hit.steps;
   void test(std::uint32_t id) { hit.test(id); }
   static double cutoff() { return std::numeric_limits<double>::infinity(); }
 };
@@ -82,6 +85,16 @@ class RayCaster : public Renderer {
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    return run(view, options, NoTrace(), frame);
+  }
+  RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
+                     Frame& frame) override {
+    return run(view, options.on_one_thread(), EventTrace(listener), frame);
+  }
+
+ private:
+  template <class Trace>
+  RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
     report.bytes = hierarchy_.bytes() + grid_.bytes();
     report.counters["structure_bytes"] = report.bytes;
@@ -94,16 +107,15 @@ class RayCaster : public Renderer {
       }
       report.bytes += place.size() * sizeof(std::uint32_t);
       cast(
-          view, options, [&] { return ExactNearestHit(view, set_up, place); }, report, frame);
+          view, options, [&] { return ExactNearestHit<Trace>(view, set_up, place, trace); }, report, frame);
     } else {
       const bool watertight = test_ == "watertight";
       cast(
-          view, options, [&] { return FloatNearestHit(view, watertight); }, report, frame);
+          view, options, [&] { return FloatNearestHit<Trace>(view, watertight, trace); }, report, frame);
     }
     return report;
   }
 
- private:
   // Calls `make_hit` once per band, for the thread that works on it.
   template <class MakeHit>
   void cast(const View& view, const RenderOptions& options, MakeHit make_hit, RenderReport& report,
@@ -156,6 +168,7 @@ class RayCaster : public Renderer {
         const double b = centre_b(view.height, j);
         const Ray ray = rays.through(a, b);
         hit.start(a, b, ray);
+        if constexpr (NearestHit::traced) hit.steps.start(i, j);
         // 2., 3. Test the triangles that it may meet.
         if (use_cutoff) {
           structure.visit(ray, hit);

@@ -21,29 +21,41 @@ enum class EventKind : std::uint8_t {
   split,      ///< p is cut by the plane of q; number: pieces so far
   released,   ///< nothing that is left lies behind p, so it is painted next; number: its place
   // A picture
-  painted,  ///< at a pixel: p goes over q; value, other: their eye depths
+  painted,     ///< at a pixel: p goes over q, whatever their depths; value, other: their eye depths
+  edge_drawn,  ///< at a pixel: an edge of the face of p goes over everything; no triangle changes
   // The z-buffer
-  depth_tested,  ///< at a pixel: p against the stored q; value, other: the depths that were compared;
-                 ///< passed: p is nearer and is stored
+  depth_tested,  ///< at a pixel: p against the stored q; value, other: the eye depths that the compared
+                 ///< depths stand for; passed: p is nearer and is stored; number: an Order
   // Lists of fragments
   fragment_stored,   ///< at a pixel: value: eye depth; number: fragments stored there by now
   fragment_dropped,  ///< at a pixel: p lies behind q, which hides it, or the list is full (q background)
   list_sorted,       ///< at a pixel: number: its fragments
   fragment_taken,    ///< at a pixel: p is blended behind what is nearer; number: rank from 0, value: depth
   // Ray casting
-  ray_started,      ///< at a pixel
-  node_entered,     ///< number: the node of the hierarchy, or the cell of the grid; value: depth at entry
-  node_passed_by,   ///< number as above: the ray misses it, or it begins behind the nearest hit
-  triangle_tested,  ///< at a pixel: passed: the ray meets p; value: the depth there
-  nearest_replaced  ///< at a pixel: p is nearer than q; value, other: their depths
+  ray_started,     ///< at a pixel
+  node_entered,    ///< at a pixel: number: the node of the hierarchy; value: eye depth, at most that of entry
+  node_passed_by,  ///< at a pixel: number, value as above; passed: the ray meets the node, but behind the
+                   ///< nearest hit; otherwise it misses the node
+  cell_entered,    ///< at a pixel: number: the cell of the grid; passed: it holds triangles
+  triangle_tested,   ///< at a pixel: passed: the ray meets p; value: the eye depth there
+  nearest_replaced,  ///< at a pixel: p is nearer than q; value, other: their eye depths; number: an Order
+};
+
+/// How p compares with q in depth, as the number of an Event.
+enum class Order : std::uint8_t {
+  first,    ///< there is no q yet
+  nearer,   ///< p is nearer than q
+  tied,     ///< as the algorithm sees it, both are equally deep
+  farther,  ///< p is farther than q
 };
 
 /// One step of an algorithm. Fields that a kind does not use keep their defaults.
 struct Event {
   EventKind kind = EventKind::painted;
   bool passed = false;
-  std::int32_t i = -1;  ///< the pixel's column, or -1
-  std::int32_t j = -1;  ///< the pixel's row, or -1
+  bool blended = false;  ///< the colour of p goes over what is there instead of taking its place
+  std::int32_t i = -1;   ///< the pixel's column, or -1
+  std::int32_t j = -1;   ///< the pixel's row, or -1
   std::uint32_t p = background_id;
   std::uint32_t q = background_id;
   std::uint32_t piece_p = 0;  ///< which piece of p, where triangles are cut; 0 is the whole
@@ -51,6 +63,8 @@ struct Event {
   std::uint32_t number = 0;
   double value = 0.0;
   double other = 0.0;
+
+  bool operator==(const Event&) const = default;
 };
 
 /// Told every event in order.

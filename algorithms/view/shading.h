@@ -23,6 +23,10 @@ std::vector<glm::vec4> surface_colors(const Scene& scene, int threads);
 /// leaves visible.
 glm::vec3 palette_color(std::uint32_t face);
 
+/// The colour of edges that are drawn over a picture: dark enough to be told from every shaded colour
+/// of the palette.
+inline constexpr glm::vec4 edge_ink(0.01F, 0.01F, 0.01F, 1.0F);
+
 /// A premultiplied colour as if the surface were opaque. A surface of opacity 0 is black.
 inline glm::vec4 opaque(const glm::vec4& color) {
   if (!(color.a > 0.0F)) return {0.0F, 0.0F, 0.0F, 1.0F};

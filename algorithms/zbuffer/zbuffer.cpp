@@ -21,6 +21,7 @@
 #include "bands.h"
 #include "predicates/sample_predicates.h"
 #include "skips.h"
+#include "trace/trace.h"
 #include "view/shading.h"
 #include "zbuffer/depth_format.h"
 #include "zbuffer/depth_stores.h"
@@ -53,6 +54,16 @@ class ZBuffer : public Renderer {
         colors_(surface_colors(scene, threads)) {}
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    return run(view, options, NoTrace(), frame);
+  }
+  RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
+                     Frame& frame) override {
+    return run(view, options.on_one_thread(), EventTrace(listener), frame);
+  }
+
+ private:
+  template <class Trace>
+  RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
     RenderOptions allowed = options;
     // A triangle between pixel centres may reach one when its corners are rounded.
@@ -61,21 +72,21 @@ class ZBuffer : public Renderer {
     if (snap_bits_ != 0) {
       const std::vector<SnappedTriangle> snapped = snap_triangles(view, set_up, snap_bits_);
       report.bytes += snapped.capacity() * sizeof(SnappedTriangle);
-      render_bands(view, SnappedTriangles(snapped), options, report, frame);
+      render_bands(view, SnappedTriangles(snapped), options, trace, report, frame);
     } else {
-      render_bands(view, ExactTriangles(set_up), options, report, frame);
+      render_bands(view, ExactTriangles(set_up), options, trace, report, frame);
     }
     return report;
   }
 
- private:
-  template <class Triangles>
+  template <class Triangles, class Trace>
   void render_bands(const View& view, const Triangles& triangles, const RenderOptions& options,
-                    RenderReport& report, Frame& frame) {
-    constexpr int bands_per_thread = 4;
+                    const Trace& trace, RenderReport& report, Frame& frame) {
+    // In one band the steps come triangle by triangle.
+    constexpr int bands_per_thread = Trace::active ? 1 : 4;
     const FillCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
       SamplePredicates predicates(projection_of(view), *view.scene);
-      const std::uint64_t fragments = render_band(view, triangles, band, predicates, frame);
+      const std::uint64_t fragments = render_band(view, triangles, band, trace, predicates, frame);
       return FillCounts{fragments, predicates.exact_evaluations()};
     });
     counts.add_to(report);
@@ -84,25 +95,27 @@ class ZBuffer : public Renderer {
   }
 
   // 1. Clear every pixel's depth; the frame comes cleared.
-  template <class Triangles>
-  std::uint64_t render_band(const View& view, const Triangles& triangles, Band band,
+  template <class Triangles, class Trace>
+  std::uint64_t render_band(const View& view, const Triangles& triangles, Band band, const Trace& trace,
                             SamplePredicates& predicates, Frame& frame) {
     const std::size_t pixels =
         static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width);
     if constexpr (std::is_same_v<Triangles, ExactTriangles>) {
       if (depth_ == "exact") {
-        return fill(view, triangles, band, ExactDepths(pixels, triangles, predicates), predicates, frame);
+        return fill(view, triangles, band, ExactDepths(pixels, triangles, predicates), trace, predicates,
+                    frame);
       }
     }
     // Snapped triangles have no exact depth of their own: their "exact" is unrounded eye depth.
     const DepthFormat format = depth_ == "exact" ? DepthFormat::unrounded : depth_format(depth_);
     const DepthCodec codec(format, view.near_depth, view.far_depth);
-    return fill(view, triangles, band, StoredDepths<Triangles>(pixels, triangles, codec), predicates, frame);
+    return fill(view, triangles, band, StoredDepths<Triangles>(pixels, triangles, codec), trace, predicates,
+                frame);
   }
 
-  template <class Triangles, class Depths>
+  template <class Triangles, class Depths, class Trace>
   std::uint64_t fill(const View& view, const Triangles& triangles, Band band, Depths depths,
-                     SamplePredicates& predicates, Frame& frame) {
+                     const Trace& trace, SamplePredicates& predicates, Frame& frame) {
     std::uint64_t fragments = 0;
     // 2. Take the triangles one after the other.
     for (std::size_t index = 0; index < triangles.count(); ++index) {
@@ -117,6 +130,13 @@ class ZBuffer : public Renderer {
           ++fragments;
           // 4., 5. compare its depth there with the stored one.
           const std::size_t pixel = frame.index(i, j) - frame.index(0, band.first);
+          if constexpr (Trace::active) {
+            Event tested = depths.test(pixel, static_cast<std::uint32_t>(index), a, b);
+            tested.blended = blend_;
+            tested.i = i;
+            tested.j = j;
+            trace.add(tested);
+          }
           if (!depths.store_if_nearer(pixel, static_cast<std::uint32_t>(index), a, b)) continue;
           if (blend_) frame.color[frame.index(i, j)] = over(color, frame.color[frame.index(i, j)]);
         }

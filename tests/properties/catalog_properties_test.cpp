@@ -20,21 +20,8 @@
 
 namespace {
 
+using hsr::test::every_setting;
 using hsr::test::render;
-
-// "name" with its default settings, then with each other choice of each setting.
-std::vector<std::string> every_setting(const hsr::Algorithm& algorithm) {
-  std::vector<std::string> specs = {std::string(algorithm.name)};
-  const auto add = [&](std::string_view setting, std::string_view value) {
-    specs.push_back(std::string(algorithm.name) + "[" + std::string(setting) + "=" + std::string(value) +
-                    "]");
-  };
-  for (const hsr::Setting& setting : algorithm.settings) {
-    for (const std::string_view choice : setting.choices.subspan(1)) add(setting.name, choice);
-    if (setting.range) add(setting.name, std::to_string(setting.range->least));
-  }
-  return specs;
-}
 
 // Small enough for a test: what the scene's name asks for.
 std::string small_version(const hsr::SceneEntry& entry) {

@@ -12,6 +12,19 @@ Frame render(const View& view, std::string_view spec_text, const RenderOptions& 
   return frame;
 }
 
+std::vector<std::string> every_setting(const Algorithm& algorithm) {
+  std::vector<std::string> specs = {std::string(algorithm.name)};
+  const auto add = [&](std::string_view setting, std::string_view value) {
+    specs.push_back(std::string(algorithm.name) + "[" + std::string(setting) + "=" + std::string(value) +
+                    "]");
+  };
+  for (const Setting& setting : algorithm.settings) {
+    for (const std::string_view choice : setting.choices.subspan(1)) add(setting.name, choice);
+    if (setting.range) add(setting.name, std::to_string(setting.range->least));
+  }
+  return specs;
+}
+
 exact::Errors errors_of(const View& view, std::string_view spec_text) {
   constexpr int threads = 2;
   const exact::ExactAnswer exact(view, threads);

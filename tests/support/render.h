@@ -1,6 +1,8 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "algorithm.h"
 #include "exact/errors.h"
@@ -11,6 +13,9 @@ namespace hsr::test {
 
 /// The frame that an algorithm, named as on the command line, makes of a view.
 Frame render(const View& view, std::string_view spec_text, const RenderOptions& options = {});
+
+/// The specs "name" with its default settings, then with each other choice of each setting.
+std::vector<std::string> every_setting(const Algorithm& algorithm);
 
 /// The errors of that frame against the exact answer.
 exact::Errors errors_of(const View& view, std::string_view spec_text);
