@@ -19,7 +19,8 @@
 namespace hsr {
 
 /// A setting of an algorithm. Its value is one of `choices` (the first is the default and the most
-/// accurate), or, where `range` is given, a whole number within it.
+/// accurate), or, where `range` is given, a whole number within it, or, where `parts` are given, some
+/// of them with + between.
 struct Setting {
   struct Range {
     int least;
@@ -29,6 +30,7 @@ struct Setting {
   std::string_view meaning;  ///< one sentence
   std::span<const std::string_view> choices;
   std::optional<Range> range = std::nullopt;
+  std::span<const std::string_view> parts = {};
 };
 
 /// Work that an algorithm leaves out because it cannot change the frame.

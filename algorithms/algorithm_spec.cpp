@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -79,6 +80,11 @@ std::string allowed_values(const Setting& setting) {
     values.push_back("a whole number from " + std::to_string(setting.range->least) + " to " +
                      std::to_string(setting.range->greatest));
   }
+  if (!setting.parts.empty()) {
+    std::string parts;
+    for (const std::string_view part : setting.parts) parts.append(parts.empty() ? "" : " + ").append(part);
+    values.push_back("some of " + parts);
+  }
   std::string text;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool last = k + 1 == values.size();
@@ -87,7 +93,29 @@ std::string allowed_values(const Setting& setting) {
   return text;
 }
 
-/// The value as it is kept: one of the choices, or a whole number without leading zeros.
+/// The parts of a value such as "x+y", in the setting's order; nothing if they are no parts of it, or
+/// one comes twice.
+std::optional<std::string> joined_parts(const Setting& setting, std::string_view value) {
+  std::vector<bool> given(setting.parts.size(), false);
+  while (true) {
+    const std::size_t plus = value.find('+');
+    const auto found = std::ranges::find(setting.parts, trimmed(value.substr(0, plus)));
+    if (found == setting.parts.end()) return std::nullopt;
+    const auto place = static_cast<std::size_t>(found - setting.parts.begin());
+    if (given[place]) return std::nullopt;
+    given[place] = true;
+    if (plus == std::string_view::npos) break;
+    value.remove_prefix(plus + 1);
+  }
+  std::string joined;
+  for (std::size_t place = 0; place < given.size(); ++place) {
+    if (given[place]) joined.append(joined.empty() ? "" : "+").append(setting.parts[place]);
+  }
+  return joined;
+}
+
+/// The value as it is kept: one of the choices, a whole number without leading zeros, or parts in the
+/// setting's order.
 std::string checked_value(const Algorithm& algorithm, const Setting& setting, std::string_view value) {
   if (std::ranges::find(setting.choices, value) != setting.choices.end()) return std::string(value);
   if (setting.range) {
@@ -98,6 +126,7 @@ std::string checked_value(const Algorithm& algorithm, const Setting& setting, st
       return std::to_string(number);
     }
   }
+  if (const std::optional<std::string> parts = joined_parts(setting, value)) return *parts;
   std::string message = "setting " + std::string(setting.name) + " of " + std::string(algorithm.name) +
                         " cannot be " + quoted(value);
   const std::string_view nearest = nearest_name(value, setting.choices);

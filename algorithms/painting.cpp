@@ -46,10 +46,21 @@ Event painted_step(const View& view, const ScreenTriangles& set_up, std::uint32_
   return event;
 }
 
+bool on_all_sides(const ScreenTriangles& set_up, std::uint32_t index, const PaintedPiece& piece, double a,
+                  double b, SamplePredicates& predicates) {
+  for (const PlaneSide& side : piece.sides) {
+    const int order =
+        predicates.compare_depth(set_up.triangles[index], set_up.triangles[side.triangle], a, b);
+    if ((order < 0) != side.before) return false;
+  }
+  return true;
+}
+
 template <class Trace>
-std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, std::uint32_t index, Band band,
-                             const glm::vec4& color, SamplePredicates& predicates, const Trace& trace,
-                             LastPainted& last_painted, Frame& frame) {
+std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, std::uint32_t index,
+                             const PaintedPiece& piece, Band band, const glm::vec4& color,
+                             SamplePredicates& predicates, const Trace& trace, LastPainted& last_painted,
+                             Frame& frame) {
   const SampleTriangle& triangle = set_up.triangles[index];
   const PixelBox box = band.within(set_up.boxes[index]);
   std::uint64_t painted = 0;
@@ -59,10 +70,14 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
     const std::size_t row_in_band =
         static_cast<std::size_t>(j - band.first) * static_cast<std::size_t>(view.width);
     for (int i = box.first_i; i <= box.last_i; ++i) {
-      if (!predicates.covers(triangle, centre_a(view.width, i), b)) continue;
+      const double a = centre_a(view.width, i);
+      if (!predicates.covers(triangle, a, b)) continue;
+      if (!on_all_sides(set_up, index, piece, a, b, predicates)) continue;
       const auto column = static_cast<std::size_t>(i);
       if constexpr (Trace::active) {
-        trace.add(painted_step(view, set_up, index, last_painted[row_in_band + column], i, j, predicates));
+        Event event = painted_step(view, set_up, index, last_painted[row_in_band + column], i, j, predicates);
+        event.piece_p = piece.number;
+        trace.add(event);
       }
       frame.color[row + column] = over(color, frame.color[row + column]);
       last_painted[row_in_band + column] = index;
@@ -76,8 +91,8 @@ std::uint64_t paint_triangle(const View& view, const ScreenTriangles& set_up, st
 
 template <class Trace>
 void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& order,
-                    const std::vector<glm::vec4>& colors, const RenderOptions& options, const Trace& trace,
-                    RenderReport& report, Frame& frame) {
+                    const std::vector<PaintedPiece>& pieces, const std::vector<glm::vec4>& colors,
+                    const RenderOptions& options, const Trace& trace, RenderReport& report, Frame& frame) {
   // In one band the steps come triangle by triangle.
   constexpr int bands_per_thread = Trace::active ? 1 : 4;
   const FillCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
@@ -86,9 +101,11 @@ void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::
         static_cast<std::size_t>(band.last - band.first) * static_cast<std::size_t>(view.width),
         nothing_painted);
     FillCounts filled;
-    for (const std::uint32_t triangle : order) {
-      filled.fragments += paint_triangle(view, set_up, triangle, band, colors[set_up.triangles[triangle].id],
-                                         predicates, trace, last_painted, frame);
+    const PaintedPiece whole;
+    for (std::size_t place = 0; place < order.size(); ++place) {
+      filled.fragments +=
+          paint_triangle(view, set_up, order[place], pieces.empty() ? whole : pieces[place], band,
+                         colors[set_up.triangles[order[place]].id], predicates, trace, last_painted, frame);
     }
     show_depth_and_id(view, set_up, band, last_painted, predicates, frame);
     filled.exact_evaluations = predicates.exact_evaluations();
@@ -98,10 +115,10 @@ void paint_in_order(const View& view, const ScreenTriangles& set_up, const std::
 }
 
 template void paint_in_order(const View&, const ScreenTriangles&, const std::vector<std::uint32_t>&,
-                             const std::vector<glm::vec4>&, const RenderOptions&, const NoTrace&,
-                             RenderReport&, Frame&);
+                             const std::vector<PaintedPiece>&, const std::vector<glm::vec4>&,
+                             const RenderOptions&, const NoTrace&, RenderReport&, Frame&);
 template void paint_in_order(const View&, const ScreenTriangles&, const std::vector<std::uint32_t>&,
-                             const std::vector<glm::vec4>&, const RenderOptions&, const EventTrace&,
-                             RenderReport&, Frame&);
+                             const std::vector<PaintedPiece>&, const std::vector<glm::vec4>&,
+                             const RenderOptions&, const EventTrace&, RenderReport&, Frame&);
 
 }  // namespace hsr

@@ -62,7 +62,7 @@ class FileOrder : public Renderer {
     }
 
     // 2. Paint in file order.
-    paint_in_order(view, set_up, order, colors_, options, trace, report, frame);
+    paint_in_order(view, set_up, order, {}, colors_, options, trace, report, frame);
     report.bytes += order.capacity() * sizeof(std::uint32_t);
 
     // 3. Draw every edge over it.

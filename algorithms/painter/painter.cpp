@@ -97,7 +97,7 @@ class Painter : public Renderer {
     }
 
     // 3. Paint in that order.
-    paint_in_order(view, set_up, order, colors_, options, trace, report, frame);
+    paint_in_order(view, set_up, order, {}, colors_, options, trace, report, frame);
     report.bytes += keys.size() * (sizeof(double) + 2 * sizeof(std::uint32_t));
     return report;
   }

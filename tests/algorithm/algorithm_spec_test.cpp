@@ -64,6 +64,19 @@ TEST_CASE("algorithm: the text of a spec leaves defaults out and reads back as t
   }
 }
 
+TEST_CASE("algorithm: a list of parts is kept in their order, and each must be known and come once") {
+  const auto tests_of = [](const std::string& value) {
+    return parse_algorithm_spec("newell[tests=" + value + "]").settings.at("tests");
+  };
+  CHECK(tests_of("all") == "all");
+  CHECK(tests_of("apart") == "apart");
+  CHECK(tests_of("apart + x+depth") == "depth+x+apart");
+  CHECK_THROWS_AS(tests_of("x+x"), hsr::UsageError);
+  CHECK_THROWS_AS(tests_of("x+"), hsr::UsageError);
+  CHECK_THROWS_AS(tests_of("x+z"), hsr::UsageError);
+  CHECK_THROWS_AS(tests_of("x+all"), hsr::UsageError);
+}
+
 TEST_CASE("algorithm: commas within brackets do not separate specs, and all is every algorithm") {
   const std::vector<AlgorithmSpec> two = parse_algorithm_specs("zbuffer[depth=unorm16,snap=4], painter");
   REQUIRE(two.size() == 2);

@@ -31,6 +31,24 @@ std::string small_version(const hsr::SceneEntry& entry) {
   return name;
 }
 
+// What is painted last shows, of triangles that are equally near as of others.
+bool shows_any_of_a_tie(const hsr::Algorithm& algorithm) { return algorithm.name.starts_with("newell"); }
+
+// The frame with the lowest id in place of each admissible one.
+hsr::Frame with_lowest_ids(hsr::Frame frame, const hsr::exact::Nearest& nearest,
+                           const hsr::exact::ExactAnswer& exact) {
+  hsr::exact::Worker worker = exact.worker();
+  for (int j = 0; j < frame.height; ++j) {
+    for (int i = 0; i < frame.width; ++i) {
+      std::uint32_t& shown = frame.id[frame.index(i, j)];
+      const std::uint32_t lowest = nearest.id[frame.index(i, j)];
+      if (shown == lowest || lowest == hsr::background_id || !worker.covers(shown, i, j)) continue;
+      if (worker.compare_depth(shown, lowest, i, j) == 0) shown = lowest;
+    }
+  }
+  return frame;
+}
+
 // The defaults of every exact algorithm against the exact answer.
 void check_defaults(const hsr::View& view) {
   const hsr::exact::ExactAnswer exact(view, 2);
@@ -39,7 +57,9 @@ void check_defaults(const hsr::View& view) {
     if (!algorithm->traits.exact) continue;
     CAPTURE(algorithm->name);
     const hsr::Frame frame = render(view, algorithm->name);
-    CHECK_MESSAGE(hsr::test::difference(frame, nearest.id).empty(), hsr::test::difference(frame, nearest.id));
+    const hsr::Frame shown = shows_any_of_a_tie(*algorithm) ? with_lowest_ids(frame, nearest, exact) : frame;
+    const std::string text = hsr::test::difference(shown, nearest.id);
+    CHECK_MESSAGE(text.empty(), text);
     for (std::size_t pixel = 0; pixel < frame.pixel_count(); ++pixel) {
       if (nearest.id[pixel] == hsr::background_id) continue;
       // Half a unit in the last place of a float is 2^-24 of it at most.

@@ -12,6 +12,19 @@ Frame render(const View& view, std::string_view spec_text, const RenderOptions& 
   return frame;
 }
 
+namespace {
+
+// All parts but one, as the value of a setting.
+std::string all_but(std::span<const std::string_view> parts, std::string_view left_out) {
+  std::string value;
+  for (const std::string_view part : parts) {
+    if (part != left_out) value.append(value.empty() ? "" : "+").append(part);
+  }
+  return value;
+}
+
+}  // namespace
+
 std::vector<std::string> every_setting(const Algorithm& algorithm) {
   std::vector<std::string> specs = {std::string(algorithm.name)};
   const auto add = [&](std::string_view setting, std::string_view value) {
@@ -20,6 +33,7 @@ std::vector<std::string> every_setting(const Algorithm& algorithm) {
   };
   for (const Setting& setting : algorithm.settings) {
     for (const std::string_view choice : setting.choices.subspan(1)) add(setting.name, choice);
+    for (const std::string_view left_out : setting.parts) add(setting.name, all_but(setting.parts, left_out));
     if (setting.range) add(setting.name, std::to_string(setting.range->least));
   }
   return specs;

@@ -14,7 +14,8 @@ namespace hsr::test {
 /// The frame that an algorithm, named as on the command line, makes of a view.
 Frame render(const View& view, std::string_view spec_text, const RenderOptions& options = {});
 
-/// The specs "name" with its default settings, then with each other choice of each setting.
+/// The specs "name" with its default settings, then with each other choice of each setting, and
+/// with all parts of a setting but one.
 std::vector<std::string> every_setting(const Algorithm& algorithm);
 
 /// The errors of that frame against the exact answer.

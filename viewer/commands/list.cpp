@@ -95,6 +95,9 @@ std::string values_of(const Setting& setting) {
     text += (text.empty() ? "" : ", ") + std::to_string(setting.range->least) + " to " +
             std::to_string(setting.range->greatest);
   }
+  for (const std::string_view part : setting.parts) {
+    text.append(part == setting.parts.front() ? ", or some of " : " + ").append(part);
+  }
   return text;
 }
 

@@ -17,6 +17,7 @@ std::string text_of(const Json& json) {
 Json to_json(const Setting& setting) {
   Json json = {{"name", setting.name}, {"meaning", setting.meaning}, {"choices", setting.choices}};
   json["range"] = nullptr;
+  if (!setting.parts.empty()) json["parts"] = setting.parts;
   if (setting.range) json["range"] = {{"least", setting.range->least}, {"greatest", setting.range->greatest}};
   return json;
 }

@@ -11,6 +11,17 @@ namespace {
 
 bool is_allowed(const Setting& setting, const std::string& value) {
   if (std::ranges::find(setting.choices, value) != setting.choices.end()) return true;
+  if (!setting.parts.empty()) {
+    // The parts in their order, each once at most.
+    std::size_t begin = 0;
+    for (const std::string_view part : setting.parts) {
+      if (!std::string_view(value).substr(begin).starts_with(part)) continue;
+      begin += part.size();
+      if (begin == value.size()) return true;
+      if (value[begin++] != '+') return false;
+    }
+    return false;
+  }
   int number = 0;
   const char* last = value.data() + value.size();
   const auto [end, error] = std::from_chars(value.data(), last, number);
