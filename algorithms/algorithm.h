@@ -46,6 +46,8 @@ struct Traits {
   std::string_view transparency;  ///< what happens to it
   std::string_view cycles;        ///< what happens where triangles overlap in a cycle or cross
   bool exact;                     ///< equals the exact answer in its default settings
+  bool keeps_lists = false;       ///< fills Frame::lists
+  bool antialiased = false;       ///< a colour stands for the whole pixel, not for its centre
 };
 
 /// A value for every setting of an algorithm, by name.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "algorithm.h"
+#include "depthlist/depthlist.h"
 #include "newell/newell.h"
 #include "none/none.h"
 #include "painter/painter.h"
@@ -14,8 +15,8 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),    &painter_algorithm(), &newell_algorithm(),
-      &zbuffer_algorithm(), &raycast_algorithm(),
+      &none_algorithm(),    &painter_algorithm(),   &newell_algorithm(),
+      &zbuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
   };
   return rows;
 }

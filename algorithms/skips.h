@@ -13,6 +13,10 @@ inline constexpr Skip off_screen_skip = {
 inline constexpr Skip between_centres_skip = {
     "between-centres", "triangles so small that they fall between the centres of the pixels are not set up"};
 
+/// The skip of algorithms that keep lists of fragments.
+inline constexpr Skip hidden_skip = {
+    "hidden", "fragments behind an opaque one are not kept where nobody asks for lists"};
+
 /// Sets up the view's triangles as the options allow and reports what was left out.
 inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options,
                                          RenderReport& report) {

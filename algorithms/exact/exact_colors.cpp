@@ -1,6 +1,5 @@
 #include "exact/exact_colors.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -10,12 +9,6 @@
 namespace hsr::exact {
 
 namespace {
-
-bool all_opaque(const Scene& scene) {
-  return std::ranges::all_of(scene.triangles, [&](const Triangle& triangle) {
-    return triangle.material == no_material || scene.materials[triangle.material].opacity >= 1.0F;
-  });
-}
 
 // The fragments begin ... end - 1 of one pixel, front to back.
 glm::vec4 composited(const DepthLists& lists, std::size_t begin, std::size_t end,
@@ -33,7 +26,7 @@ std::vector<glm::vec4> exact_colors(const View& view, const ExactAnswer& exact, 
                                     int threads, const Progress& progress) {
   const std::vector<glm::vec4> surface = surface_colors(*view.scene, threads);
   std::vector<glm::vec4> colors(nearest.id.size(), glm::vec4(0.0F));
-  if (all_opaque(*view.scene)) {
+  if (all_opaque(surface)) {
     for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) {
       if (nearest.id[pixel] != background_id) colors[pixel] = surface[nearest.id[pixel]];
     }

@@ -76,6 +76,12 @@ int SamplePredicates::exactly_compare_depth(std::uint32_t p, std::uint32_t q, do
   return (inverse_q - inverse_p).sign();
 }
 
+ExactInverseDepth SamplePredicates::exact_inverse_depth(const SampleTriangle& triangle, double a, double b) {
+  ++exact_evaluations_;
+  const ExactTriangle& exact = triangles_.one(triangle.id);
+  return {at_sample(exact.oriented.sum, a, b), exact.oriented.det};
+}
+
 float SamplePredicates::nearest_float_depth(const SampleTriangle& triangle, double a, double b) {
   const Bounded depth = Bounded(1.0) / Bounded(triangle.inverse_depth.at(a, b), triangle.inverse_depth.bound);
   constexpr double greatest = std::numeric_limits<float>::max();

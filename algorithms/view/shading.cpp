@@ -1,5 +1,6 @@
 #include "view/shading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -68,6 +69,10 @@ std::vector<glm::vec4> surface_colors(const Scene& scene, int threads) {
     }
   });
   return colors;
+}
+
+bool all_opaque(const std::vector<glm::vec4>& colors) {
+  return std::ranges::all_of(colors, [](const glm::vec4& color) { return color.a >= 1.0F; });
 }
 
 }  // namespace hsr

@@ -18,6 +18,9 @@ glm::vec4 surface_color(const Scene& scene, std::uint32_t id);
 /// surface_color of every triangle, by id.
 std::vector<glm::vec4> surface_colors(const Scene& scene, int threads);
 
+/// Whether none of these premultiplied colours lets anything shine through.
+bool all_opaque(const std::vector<glm::vec4>& colors);
+
 /// Eight colours (linear RGB) that colour-blind viewers can tell apart, in turn by face number:
 /// Okabe and Ito's set (2008, Color Universal Design), its black replaced by a grey that shading
 /// leaves visible.

@@ -1,15 +1,30 @@
 #include "support/render.h"
 
+#include <utility>
+
 #include "exact/exact_answer.h"
 #include "exact/exact_colors.h"
 
 namespace hsr::test {
 
-Frame render(const View& view, std::string_view spec_text, const RenderOptions& options) {
+namespace {
+
+Frame rendered(Frame frame, const View& view, std::string_view spec_text, const RenderOptions& options) {
   const AlgorithmSpec spec = parse_algorithm_spec(spec_text);
-  Frame frame(view.width, view.height);
   spec.algorithm->prepare(*view.scene, spec.settings, options)->render(view, options, frame);
   return frame;
+}
+
+}  // namespace
+
+Frame render(const View& view, std::string_view spec_text, const RenderOptions& options) {
+  return rendered(Frame(view.width, view.height), view, spec_text, options);
+}
+
+Frame render_with_lists(const View& view, std::string_view spec_text, const RenderOptions& options) {
+  Frame frame(view.width, view.height);
+  frame.lists.emplace();
+  return rendered(std::move(frame), view, spec_text, options);
 }
 
 namespace {

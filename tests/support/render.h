@@ -17,6 +17,8 @@ Frame render(const View& view, std::string_view spec_text, const RenderOptions& 
 /// The specs "name" with its default settings, then with each other choice of each setting, and
 /// with all parts of a setting but one.
 std::vector<std::string> every_setting(const Algorithm& algorithm);
+/// The same with depth lists, where the algorithm keeps them.
+Frame render_with_lists(const View& view, std::string_view spec_text, const RenderOptions& options = {});
 
 /// The errors of that frame against the exact answer.
 exact::Errors errors_of(const View& view, std::string_view spec_text);
