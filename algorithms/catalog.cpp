@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "abuffer/abuffer.h"
 #include "algorithm.h"
 #include "depthlist/depthlist.h"
 #include "newell/newell.h"
@@ -15,8 +16,8 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),    &painter_algorithm(),   &newell_algorithm(),
-      &zbuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
+      &none_algorithm(),    &painter_algorithm(),   &newell_algorithm(),  &zbuffer_algorithm(),
+      &abuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
   };
   return rows;
 }

@@ -17,11 +17,12 @@ inline constexpr Skip between_centres_skip = {
 inline constexpr Skip hidden_skip = {
     "hidden", "fragments behind an opaque one are not kept where nobody asks for lists"};
 
-/// Sets up the view's triangles as the options allow and reports what was left out.
-inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options,
-                                         RenderReport& report) {
+/// Sets up the view's triangles as the options allow and reports what was left out. Samples lie no
+/// farther than `sample_reach` pixels from the centre of theirs, right, left, up or down.
+inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options, RenderReport& report,
+                                         double sample_reach = 0.0) {
   const ScreenSkips skips = {options.uses(off_screen_skip.name), options.uses(between_centres_skip.name)};
-  ScreenTriangles set_up = set_up_screen_triangles(view, skips, options.threads);
+  ScreenTriangles set_up = set_up_screen_triangles(view, skips, options.threads, sample_reach);
   report.skipped[std::string(off_screen_skip.name)] = set_up.off_screen;
   report.skipped[std::string(between_centres_skip.name)] = set_up.between_centres;
   report.counters["exact_evaluations"] = set_up.exact_evaluations;

@@ -39,20 +39,21 @@ Homogeneous<Bounded> on_near_plane(const Homogeneous<Bounded>& beyond, const Hom
           Bounded(near_depth)};
 }
 
-// The whole numbers n with least <= n + 1/2 <= greatest, within 0 ... count - 1. The subtraction of
-// 1/2 rounds by less than `rounding` pixels, as the value is first held within the picture.
-void centres_between(double least, double greatest, int count, int& first, int& last) {
+// The whole numbers n with least - reach <= n + 1/2 <= greatest + reach, within 0 ... count - 1. The sums
+// round by less than `rounding` pixels, as the value is first held within the picture.
+void centres_between(double least, double greatest, double reach, int count, int& first, int& last) {
   constexpr double rounding = 0x1p-30;
   const double limit = static_cast<double>(count) + 1.0;
-  first = static_cast<int>(std::ceil(std::clamp(least, -1.0, limit) - 0.5 - rounding));
-  last = static_cast<int>(std::floor(std::clamp(greatest, -1.0, limit) - 0.5 + rounding));
+  first = static_cast<int>(std::ceil(std::clamp(least, -1.0, limit) - reach - 0.5 - rounding));
+  last = static_cast<int>(std::floor(std::clamp(greatest, -1.0, limit) + reach - 0.5 + rounding));
   first = std::max(first, 0);
   last = std::min(last, count - 1);
 }
 
 }  // namespace
 
-PixelBoxAnswer pixel_box(const Projection& projection, const std::array<Homogeneous<Bounded>, 3>& corner) {
+PixelBoxAnswer pixel_box(const Projection& projection, const std::array<Homogeneous<Bounded>, 3>& corner,
+                         double sample_reach) {
   std::array<bool, 3> before{};  // surely nearer than near
   int nearer = 0;
   int farther = 0;
@@ -79,8 +80,8 @@ PixelBoxAnswer pixel_box(const Projection& projection, const std::array<Homogene
     return {BoxKind::off_screen, {}};
   }
   PixelBox box;
-  centres_between(extent.left, extent.right, projection.width, box.first_i, box.last_i);
-  centres_between(extent.top, extent.bottom, projection.height, box.first_j, box.last_j);
+  centres_between(extent.left, extent.right, sample_reach, projection.width, box.first_i, box.last_i);
+  centres_between(extent.top, extent.bottom, sample_reach, projection.height, box.first_j, box.last_j);
   if (box.empty()) return {BoxKind::between_centres, {}};
   return {BoxKind::on_screen, box};
 }

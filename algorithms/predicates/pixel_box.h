@@ -7,7 +7,7 @@
 
 namespace hsr {
 
-/// The pixels whose centres a triangle may cover: columns first_i ... last_i, rows first_j ...
+/// The pixels whose centres (or samples) a triangle may cover: columns first_i ... last_i, rows first_j ...
 /// last_j, within the picture; empty when a last lies before its first.
 struct PixelBox {
   int first_i = 0;
@@ -31,7 +31,10 @@ struct PixelBoxAnswer {
 };
 
 /// The smallest box that can be had from bounds: a pixel outside it is surely not covered. The part
-/// nearer than `near_depth` is clipped away first, so corners behind the eye do no harm.
-PixelBoxAnswer pixel_box(const Projection& projection, const std::array<Homogeneous<Bounded>, 3>& corner);
+/// nearer than `near_depth` is clipped away first, so corners behind the eye do no harm. With a
+/// `sample_reach` above 0 (in pixels, below 1/2), pixels have samples that far to the right, left, top and
+/// bottom of the centre, and a pixel outside the box has surely none that is covered.
+PixelBoxAnswer pixel_box(const Projection& projection, const std::array<Homogeneous<Bounded>, 3>& corner,
+                         double sample_reach = 0.0);
 
 }  // namespace hsr

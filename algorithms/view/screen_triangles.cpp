@@ -26,13 +26,13 @@ ClipVertices clip_vertices(const Projection& projection, const Scene& scene, int
 
 // The triangles from `first` to `last`, in order.
 ScreenTriangles set_up_block(const Projection& projection, const Scene& scene, const ClipVertices& clip,
-                             ScreenSkips skips, std::size_t first, std::size_t last) {
+                             ScreenSkips skips, double sample_reach, std::size_t first, std::size_t last) {
   ScreenTriangles block;
   SamplePredicates predicates(projection, scene);
   for (std::size_t id = first; id < last; ++id) {
     const std::array<std::uint32_t, 3>& corners = scene.triangles[id].corners;
     const std::array<Homogeneous<Bounded>, 3> corner = {clip[corners[0]], clip[corners[1]], clip[corners[2]]};
-    const PixelBoxAnswer answer = pixel_box(projection, corner);
+    const PixelBoxAnswer answer = pixel_box(projection, corner, sample_reach);
     if (skips.off_screen && answer.kind == BoxKind::off_screen) {
       ++block.off_screen;
       continue;
@@ -76,14 +76,15 @@ Projection projection_of(const View& view) {
   return projection;
 }
 
-ScreenTriangles set_up_screen_triangles(const View& view, ScreenSkips skips, int threads) {
+ScreenTriangles set_up_screen_triangles(const View& view, ScreenSkips skips, int threads,
+                                        double sample_reach) {
   const Projection projection = projection_of(view);
   const Scene& scene = *view.scene;
   const ClipVertices clip = clip_vertices(projection, scene, threads);
 
   std::vector<ScreenTriangles> blocks((scene.triangles.size() + parallel_block - 1) / parallel_block);
   parallel_for_blocks(scene.triangles.size(), threads, [&](std::size_t first, std::size_t last) {
-    blocks[first / parallel_block] = set_up_block(projection, scene, clip, skips, first, last);
+    blocks[first / parallel_block] = set_up_block(projection, scene, clip, skips, sample_reach, first, last);
   });
   ScreenTriangles all;
   std::size_t count = 0;

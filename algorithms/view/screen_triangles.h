@@ -30,7 +30,10 @@ struct ScreenSkips {
 };
 
 /// Sets up every triangle of the view. Triangles that surely cover nothing (no area, or the eye in
-/// their plane) are left out always.
-ScreenTriangles set_up_screen_triangles(const View& view, ScreenSkips skips, int threads);
+/// their plane) are left out always. A pixel's samples lie no farther than `sample_reach` pixels from its
+/// centre, right, left, up or down: 0 for the centre alone, less than 1/2. The boxes then hold each
+/// pixel of which a sample may be covered.
+ScreenTriangles set_up_screen_triangles(const View& view, ScreenSkips skips, int threads,
+                                        double sample_reach = 0.0);
 
 }  // namespace hsr
