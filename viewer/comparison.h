@@ -9,6 +9,7 @@
 #include "algorithm.h"
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
+#include "exact/list_errors.h"
 
 namespace hsr {
 
@@ -16,6 +17,7 @@ namespace hsr {
 struct ComparedAlgorithm {
   AlgorithmSpec algorithm;
   exact::Errors errors;
+  std::optional<exact::ListErrors> lists;  ///< where it keeps lists
   double prepare_ms = 0.0;
   double render_ms = 0.0;
 };

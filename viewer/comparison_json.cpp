@@ -23,11 +23,17 @@ Json to_json(const Comparison& comparison, const ComparedAlgorithm& compared) {
       {"extra", nullptr},
       {"inversions", nullptr},
       {"color", nullptr},
+      {"color_against", compared.algorithm.algorithm->traits.antialiased ? "32x32 samples" : "centres"},
       {"causes", nullptr},
       {"prepare_ms", compared.prepare_ms},
       {"time_ms", compared.render_ms},
   };
   if (errors.depth) json["depth_error"] = {{"max", errors.depth->max}, {"p99", errors.depth->p99}};
+  if (compared.lists) {
+    json["missing"] = compared.lists->missing;
+    json["extra"] = compared.lists->extra;
+    json["inversions"] = compared.lists->inversions;
+  }
   if (errors.color) json["color"] = {{"rmse", errors.color->rmse}, {"max", errors.color->max}};
   return json;
 }

@@ -37,7 +37,8 @@ std::optional<Errors::Color> color_errors(const Frame& frame, const Nearest& nea
   double greatest = 0.0;
   std::uint64_t compared = 0;
   for (std::size_t pixel = 0; pixel < colors.size(); ++pixel) {
-    if (nearest.id[pixel] == background_id && frame.id[pixel] == background_id) continue;
+    const bool nothing = nearest.id[pixel] == background_id && frame.id[pixel] == background_id;
+    if (nothing && colors[pixel].a == 0.0F && frame.color[pixel].a == 0.0F) continue;
     ++compared;
     for (int channel = 0; channel < 3; ++channel) {
       const double difference = double{frame.color[pixel][channel]} - double{colors[pixel][channel]};

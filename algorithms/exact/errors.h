@@ -28,13 +28,13 @@ struct Errors {
     double rmse = 0.0;
     double max = 0.0;
   };
-  /// Difference of linear, premultiplied red, green and blue from the exact colours, over the pixels
-  /// that are covered or show something; nothing where there are none.
+  /// Difference of linear, premultiplied red, green and blue from the wanted colours, over the pixels
+  /// where either has anything; nothing where there are none.
   std::optional<Color> color;
 };
 
-/// Compares a frame with the exact answer of the same view. `nearest` and `colors` (exact_colors) must
-/// come from `exact`.
+/// Compares a frame with the exact answer of the same view. `nearest` must come from `exact`. `colors` are
+/// those that are wanted: exact_colors, or sampled_colors where the algorithm antialiases.
 Errors measure_errors(const Frame& frame, const ExactAnswer& exact, const Nearest& nearest,
                       const std::vector<glm::vec4>& colors);
 

@@ -14,8 +14,11 @@ namespace {
 glm::vec4 composited(const DepthLists& lists, std::size_t begin, std::size_t end,
                      const std::vector<glm::vec4>& surface) {
   glm::vec4 color(0.0F);
-  for (std::size_t place = begin; place < end && color.a < 1.0F; ++place) {
-    if (!lists.fragments[place].tied) color = over(color, surface[lists.fragments[place].id]);
+  for (std::size_t place = begin; place < end; ++place) {
+    if (lists.fragments[place].tied) continue;
+    const glm::vec4& front_most = surface[lists.fragments[place].id];
+    color = over(color, front_most);
+    if (front_most.a >= 1.0F) break;
   }
   return color;
 }

@@ -1,7 +1,6 @@
 #include "exact/list_errors.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <mutex>
 #include <span>
@@ -58,14 +57,14 @@ class ListComparison {
 
 }  // namespace
 
-ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& exact, int width, int height,
-                               int threads, const Progress& progress) {
+ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& exact, int width, Rows rows,
+                               int threads) {
   const auto columns = static_cast<std::size_t>(width);
-  assert(lists.begin.size() == columns * static_cast<std::size_t>(height) + 1);
+  assert(columns * static_cast<std::size_t>(rows.last) < lists.begin.size());
   ListErrors errors;
   std::mutex mutex;
-  std::atomic<int> rows_done = 0;
-  parallel_for(height, threads, [&](int j) {
+  parallel_for(rows.last - rows.first, threads, [&](int index) {
+    const int j = rows.first + index;
     Worker worker = exact.worker();
     ListComparison comparison(worker);
     const DepthLists wanted = worker.depth_lists(j, j + 1);
@@ -79,7 +78,6 @@ ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& ex
               .subspan(wanted.begin[column], wanted.begin[column + 1] - wanted.begin[column]),
           static_cast<int>(column), j);
     }
-    report_progress(progress, "comparing the lists", static_cast<double>(++rows_done) / height);
     const std::lock_guard lock(mutex);
     errors += row;
   });

@@ -4,7 +4,6 @@
 
 #include "exact/exact_answer.h"
 #include "frame/fragment_lists.h"
-#include "scene/progress.h"
 
 namespace hsr::exact {
 
@@ -22,9 +21,15 @@ struct ListErrors {
   }
 };
 
-/// Compares the lists of a picture with the exact lists of its view, `width` × `height` pixels. The
+/// Rows first ... last - 1 of a picture.
+struct Rows {
+  int first = 0;
+  int last = 0;
+};
+
+/// Compares the lists of a picture, `width` pixels wide, with the exact lists of its view in some rows. The
 /// exact lists are made row by row.
-ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& exact, int width, int height,
-                               int threads, const Progress& progress = {});
+ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& exact, int width, Rows rows,
+                               int threads);
 
 }  // namespace hsr::exact

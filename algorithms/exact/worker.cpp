@@ -72,6 +72,14 @@ int Worker::compare_depth(std::uint32_t p, std::uint32_t q, int i, int j) {
   return (order > 0) - (order < 0);
 }
 
+bool Worker::surely_nearer(std::uint32_t p, std::uint32_t q, int i, int j) const {
+  const int sample_a = 2 * i + 1 - view_.width;
+  const int sample_b = view_.height - 2 * j - 1;
+  const InverseDepth& first = triangles_[p].inverse_depth;
+  const InverseDepth& second = triangles_[q].inverse_depth;
+  return first.at(sample_a, sample_b) - second.at(sample_a, sample_b) > 2.0 * (first.bound + second.bound);
+}
+
 bool Worker::covers(std::uint32_t id, int i, int j) {
   if (id >= triangles_.size()) return false;  // a frame may come from anywhere
   const PreparedTriangle& triangle = triangles_[id];

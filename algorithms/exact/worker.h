@@ -30,6 +30,11 @@ class Worker {
   /// -1, 0 or 1 as triangle p is nearer than, exactly as near as, or farther than q at the centre of
   /// pixel (i, j). Both must cover it.
   int compare_depth(std::uint32_t p, std::uint32_t q, int i, int j);
+  /// Whether the plane of triangle p is certainly nearer than that of q at the centre of pixel (i, j), which
+  /// neither need cover. False where the doubles cannot tell.
+  bool surely_nearer(std::uint32_t p, std::uint32_t q, int i, int j) const;
+  /// The pixels of a row whose centres triangle `id` covers.
+  Span covered_span(std::uint32_t id, int row);
 
   Decisions decisions;
 
@@ -38,7 +43,6 @@ class Worker {
   int sign(std::uint32_t id, std::size_t plane, int sample_a, int sample_b);
   int integer_sign(std::uint32_t id, std::size_t plane, int sample_a, int sample_b);
   int integer_compare(std::uint32_t p, std::uint32_t q, int sample_a, int sample_b);
-  Span covered_span(std::uint32_t id, int row);
   Span narrowed(Span span, std::uint32_t id, std::size_t plane, int sample_b);
   int first_with(bool wanted, std::uint32_t id, std::size_t plane, int sample_b, Span span);
   std::shared_ptr<const IntegerTriangle> integer_triangle(std::uint32_t id);

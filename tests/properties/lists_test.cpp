@@ -22,7 +22,7 @@ void check_lists(const hsr::View& view) {
     CAPTURE(algorithm->name);
     const hsr::Frame frame = hsr::test::render_with_lists(view, algorithm->name);
     const hsr::exact::ListErrors errors =
-        measure_list_errors(*frame.lists, exact, view.width, view.height, 1);
+        measure_list_errors(*frame.lists, exact, view.width, {0, view.height}, 1);
     CHECK(errors.missing == 0);
     CHECK(errors.extra == 0);
     CHECK(errors.inversions == 0);

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <ostream>
 
 #include "commands/commands.h"
 #include "comparison.h"
 #include "exact/exact_colors.h"
+#include "exact/sampled_colors.h"
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
@@ -16,12 +18,34 @@ struct Truth {
   exact::ExactAnswer answer;
   exact::Nearest nearest;
   std::vector<glm::vec4> colors;
+  std::vector<glm::vec4> mean_colors;  ///< of 32 × 32 samples, where an algorithm antialiases
 
-  Truth(const View& view, int threads, const Progress& progress)
+  Truth(const View& view, bool antialiased, int threads, const Progress& progress)
       : answer(view, threads, progress),
         nearest(answer.nearest(threads, progress)),
-        colors(exact::exact_colors(view, answer, nearest, threads, progress)) {}
+        colors(exact::exact_colors(view, answer, nearest, threads, progress)) {
+    if (antialiased) mean_colors = exact::sampled_colors(view, threads, progress);
+  }
 };
+
+/// Renders once more, with lists, some rows at a time, and counts the errors of the lists.
+exact::ListErrors list_errors(Renderer& renderer, const View& view, RenderOptions options,
+                              const Truth& truth) {
+  constexpr int rows_at_once = 32;  // all lists of a picture may need more memory than there is
+  const Progress whole = options.progress;
+  options.progress = {};
+  exact::ListErrors errors;
+  for (int first = 0; first < view.height; first += rows_at_once) {
+    const exact::Rows rows = {first, std::min(first + rows_at_once, view.height)};
+    Frame frame(view.width, view.height);
+    frame.lists.emplace();
+    options.window = PixelBox{0, view.width - 1, rows.first, rows.last - 1};
+    (void)renderer.render(view, options, frame);
+    errors += exact::measure_list_errors(*frame.lists, truth.answer, view.width, rows, options.threads);
+    (void)report_progress(whole, "comparing the lists", static_cast<double>(rows.last) / view.height);
+  }
+  return errors;
+}
 
 ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const RenderOptions& options,
                               const Truth& truth) {
@@ -34,7 +58,10 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
   const Stopwatch render;
   (void)renderer->render(view, options, frame);
   compared.render_ms = render.milliseconds();
-  compared.errors = exact::measure_errors(frame, truth.answer, truth.nearest, truth.colors);
+  const Traits& traits = spec.algorithm->traits;
+  compared.errors = exact::measure_errors(frame, truth.answer, truth.nearest,
+                                          traits.antialiased ? truth.mean_colors : truth.colors);
+  if (traits.keeps_lists) compared.lists = list_errors(*renderer, view, options, truth);
   return compared;
 }
 
@@ -48,7 +75,9 @@ void run(const CompareCommand& command, std::ostream& out) {
   const View view = choose_view(loaded.scene, picture);
 
   const Stopwatch stopwatch;
-  const Truth truth(view, picture.threads, bar.listener());
+  const bool antialiased = std::ranges::any_of(
+      command.algorithms, [](const AlgorithmSpec& spec) { return spec.algorithm->traits.antialiased; });
+  const Truth truth(view, antialiased, picture.threads, bar.listener());
   Comparison comparison = {
       loaded.scene.name,       loaded.scene.triangles.size(), view.width, view.height, truth.nearest.covered,
       truth.nearest.decisions, stopwatch.milliseconds(),      {}};
