@@ -27,6 +27,11 @@ void ListBlock::add(std::span<const OrderedFragment> fragments_there, const Scre
   }
 }
 
+void ListBlock::add(const std::vector<ListFragment>& fragments_there) {
+  counts.push_back(fragments_there.size());
+  fragments.insert(fragments.end(), fragments_there.begin(), fragments_there.end());
+}
+
 void ListCollector::add(ListBlock block) {
   const std::lock_guard lock(mutex_);
   blocks_.push_back(std::move(block));

@@ -21,6 +21,8 @@ struct ListBlock {
   /// Appends the list of the next pixel. `predicates` gives the depths at its sample.
   void add(std::span<const OrderedFragment> fragments_there, const ScreenTriangles& set_up,
            SamplePredicates& predicates, double a, double b);
+  /// The same for a list that is complete.
+  void add(const std::vector<ListFragment>& fragments_there);
 };
 
 /// Puts together the lists of a frame that were made in blocks, in any order and by several threads.

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "fragment_order.h"
+#include "frame/fragment_lists.h"
 #include "predicates/sample_predicates.h"
 #include "raycast/eye_rays.h"
 #include "raycast/float_tests.h"
@@ -38,6 +41,15 @@ class RaySteps {
   void test(std::uint32_t id, bool met, double depth) {
     tell({.kind = EventKind::triangle_tested, .passed = met, .p = id, .value = depth});
   }
+  void sort(std::size_t hits) {
+    tell({.kind = EventKind::list_sorted, .number = static_cast<std::uint32_t>(hits)});
+  }
+  void take(const ListFragment& hit, std::size_t rank) {
+    tell({.kind = EventKind::fragment_taken,
+          .p = hit.id,
+          .number = static_cast<std::uint32_t>(rank),
+          .value = hit.depth});
+  }
   void replace(std::uint32_t id, double depth, std::uint32_t old_id, double old_depth, Order order) {
     tell({.kind = EventKind::nearest_replaced,
           .p = id,
@@ -68,11 +80,16 @@ template <class Trace>
 class ExactNearestHit {
  public:
   static constexpr bool traced = Trace::active;
+  static constexpr bool keeps_all = false;
 
   /// `place` gives a triangle's place in set_up.triangles by id, or background_id where it was left out.
   ExactNearestHit(const View& view, const ScreenTriangles& set_up, const std::vector<std::uint32_t>& place,
                   const Trace& trace)
-      : steps(trace), predicates_(projection_of(view), *view.scene), set_up_(set_up), place_(place) {}
+      : steps(trace),
+        predicates_(projection_of(view), *view.scene),
+        order_(set_up, predicates_),
+        set_up_(set_up),
+        place_(place) {}
 
   void start(double a, double b, const Ray&) {
     a_ = a;
@@ -81,23 +98,38 @@ class ExactNearestHit {
     cutoff_ = std::numeric_limits<double>::infinity();
   }
 
-  void test(std::uint32_t id) {
-    if (place_[id] == background_id) return;
+  /// Returns whether the ray meets the triangle.
+  bool test(std::uint32_t id) {
+    if (place_[id] == background_id) return false;
     const SampleTriangle& triangle = set_up_.triangles[place_[id]];
     const bool met = predicates_.covers(triangle, a_, b_);
     if constexpr (traced) steps.test(id, met, met ? predicates_.nearest_float_depth(triangle, a_, b_) : 0.0);
-    if (!met) return;
+    if (!met) return false;
     auto order = Order::first;
     if (nearest_ != nullptr && nearest_ != &triangle) {
       const int compared = predicates_.compare_depth(triangle, *nearest_, a_, b_);
-      if (compared > 0 || (compared == 0 && id > nearest_->id)) return;
+      if (compared > 0 || (compared == 0 && id > nearest_->id)) return true;
       order = compared < 0 ? Order::nearer : Order::tied;
     }
     if constexpr (traced) tell_replaced(triangle, order);
     nearest_ = &triangle;
     cutoff_ =
         (Bounded(1.0) / Bounded(triangle.inverse_depth.at(a_, b_), triangle.inverse_depth.bound)).upper();
+    return true;
   }
+
+  /// Sorts triangles that the ray meets, by increasing depth, ties by id, and fills in the rest of them.
+  void sort(std::vector<ListFragment>& hits) {
+    sorted_.clear();
+    for (const ListFragment& hit : hits) sorted_.push_back({place_[hit.id], false});
+    order_.sort(sorted_, a_, b_);
+    for (std::size_t rank = 0; rank < hits.size(); ++rank) {
+      const SampleTriangle& triangle = set_up_.triangles[sorted_[rank].index];
+      hits[rank] = {triangle.id, predicates_.nearest_float_depth(triangle, a_, b_), sorted_[rank].tied};
+    }
+  }
+  /// The depth is computed when it is known which hits count.
+  static float tested_depth() { return 0.0F; }
 
   /// No triangle whose points are all farther can be nearest, nor tie.
   double cutoff() const { return cutoff_; }
@@ -120,6 +152,8 @@ class ExactNearestHit {
   }
 
   SamplePredicates predicates_;
+  FragmentOrder order_;
+  std::vector<OrderedFragment> sorted_;
   const ScreenTriangles& set_up_;
   const std::vector<std::uint32_t>& place_;
   double a_ = 0.0;
@@ -133,6 +167,7 @@ template <class Trace>
 class FloatNearestHit {
  public:
   static constexpr bool traced = Trace::active;
+  static constexpr bool keeps_all = false;
 
   FloatNearestHit(const View& view, bool watertight, const Trace& trace)
       : steps(trace), view_(view), watertight_(watertight) {}
@@ -144,7 +179,7 @@ class FloatNearestHit {
     depth_ = std::numeric_limits<float>::infinity();
   }
 
-  void test(std::uint32_t id) {
+  bool test(std::uint32_t id) {
     std::array<glm::vec3, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) {
       corner[k] = view_.scene->positions[view_.scene->triangles[id].corners[k]];
@@ -152,12 +187,24 @@ class FloatNearestHit {
     const std::optional<float> t = watertight_ ? (*sheared_)(corner) : moller_trumbore(ray_, corner);
     const bool met = t && *t >= view_.near_depth && *t <= view_.far_depth;
     if constexpr (traced) steps.test(id, met, met ? *t : 0.0);
-    if (!met) return;
-    if (*t > depth_ || (*t == depth_ && id > id_)) return;
+    if (!met) return false;
+    tested_depth_ = *t;
+    if (*t > depth_ || (*t == depth_ && id > id_)) return true;
     if constexpr (traced) tell_replaced(id, *t);
     depth_ = *t;
     id_ = id;
+    return true;
   }
+
+  static void sort(std::vector<ListFragment>& hits) {
+    std::ranges::sort(hits, [](const ListFragment& p, const ListFragment& q) {
+      return p.depth != q.depth ? p.depth < q.depth : p.id < q.id;
+    });
+    for (std::size_t rank = 1; rank < hits.size(); ++rank) {
+      hits[rank].tied = hits[rank - 1].depth == hits[rank].depth;
+    }
+  }
+  float tested_depth() const { return tested_depth_; }
 
   double cutoff() const { return depth_; }
   std::uint32_t id() const { return id_; }
@@ -180,6 +227,7 @@ class FloatNearestHit {
   std::optional<WatertightTest> sheared_;
   std::uint32_t id_ = background_id;
   float depth_ = 0.0F;
+  float tested_depth_ = 0.0F;  // of the last triangle that was met
 };
 
 }  // namespace hsr

@@ -6,6 +6,7 @@
 //      (structure=grid), near to far.
 //   3. Test each of them: does the ray meet it, between near and far, and at which depth?
 //   4. Keep the nearest. Of equal depths the lowest id.
+//   5. Where surfaces are transparent, keep all of them instead, and blend them from the nearest on.
 //
 // With test=exact step 3 asks the same exact predicates as the z-buffer does; the other two tests are
 // the ones that renderers use, in float, and show what that costs.
@@ -18,8 +19,11 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "bands.h"
+#include "list_collector.h"
+#include "raycast/all_hits.h"
 #include "raycast/bvh.h"
 #include "raycast/bvh_traversal.h"
 #include "raycast/eye_rays.h"
@@ -77,7 +81,9 @@ struct WithoutCutoff {
 class RayCaster : public Renderer {
  public:
   RayCaster(const Scene& scene, const Settings& chosen, const RenderOptions& options)
-      : test_(chosen.find("test")->second), colors_(surface_colors(scene, options.threads)) {
+      : test_(chosen.find("test")->second),
+        colors_(surface_colors(scene, options.threads)),
+        all_opaque_(all_opaque(colors_)) {
     report_progress(options.progress, "building the structure", 0.0);
     const std::string& structure = chosen.find("structure")->second;
     if (structure == "bvh") hierarchy_ = BoundingVolumeHierarchy(scene);
@@ -99,6 +105,7 @@ class RayCaster : public Renderer {
     report.bytes = hierarchy_.bytes() + grid_.bytes();
     report.counters["structure_bytes"] = report.bytes;
     report.counters["rays"] = frame.pixel_count();
+    const bool all_hits = frame.lists.has_value() || !all_opaque_;
     if (test_ == "exact") {
       const ScreenTriangles set_up = set_up_with_skips(view, options, report);
       std::vector<std::uint32_t> place(view.scene->triangles.size(), background_id);
@@ -106,12 +113,24 @@ class RayCaster : public Renderer {
         place[set_up.triangles[index].id] = index;
       }
       report.bytes += place.size() * sizeof(std::uint32_t);
-      cast(
-          view, options, [&] { return ExactNearestHit<Trace>(view, set_up, place, trace); }, report, frame);
+      using Hit = ExactNearestHit<Trace>;
+      if (all_hits) {
+        cast(
+            view, options, [&] { return AllHits<Hit>(view, set_up, place, trace); }, report, frame);
+      } else {
+        cast(
+            view, options, [&] { return Hit(view, set_up, place, trace); }, report, frame);
+      }
     } else {
       const bool watertight = test_ == "watertight";
-      cast(
-          view, options, [&] { return FloatNearestHit<Trace>(view, watertight, trace); }, report, frame);
+      using Hit = FloatNearestHit<Trace>;
+      if (all_hits) {
+        cast(
+            view, options, [&] { return AllHits<Hit>(view, watertight, trace); }, report, frame);
+      } else {
+        cast(
+            view, options, [&] { return Hit(view, watertight, trace); }, report, frame);
+      }
     }
     return report;
   }
@@ -144,13 +163,15 @@ class RayCaster : public Renderer {
                   MakeStructure make_structure, RenderReport& report, Frame& frame) {
     constexpr int bands_per_thread = 16;  // rays differ more in cost than rows of fragments do
     const bool use_cutoff = options.uses(farther_skip.name);
+    ListCollector lists(frame);
     const TraversalCounts counts = for_each_band(view, options, bands_per_thread, [&](Band band) {
       auto hit = make_hit();
       auto structure = make_structure();
-      cast_band(view, rays, band, use_cutoff, structure, hit, frame);
+      cast_band(view, rays, band, use_cutoff, structure, hit, lists, frame);
       structure.counts.exact_evaluations = hit.exact_evaluations();
       return structure.counts;
     });
+    lists.finish();
     report.counters["exact_evaluations"] += counts.exact_evaluations;
     report.counters["structure_steps"] = counts.steps;
     report.counters["triangle_tests"] = counts.triangle_tests;
@@ -160,7 +181,8 @@ class RayCaster : public Renderer {
 
   template <class Structure, class NearestHit>
   void cast_band(const View& view, const EyeRays& rays, Band band, bool use_cutoff, Structure& structure,
-                 NearestHit& hit, Frame& frame) {
+                 NearestHit& hit, ListCollector& lists, Frame& frame) {
+    ListBlock block = {{band.first_i, band.last_i, band.first, band.last - 1}, {}, {}};
     for (int j = band.first; j < band.last; ++j) {
       for (int i = band.first_i; i <= band.last_i; ++i) {
         // 1. The ray from the eye through the pixel's centre.
@@ -176,14 +198,35 @@ class RayCaster : public Renderer {
           WithoutCutoff<NearestHit> every_box{hit};
           structure.visit(ray, every_box);
         }
-        // 4. Show the nearest.
-        if (hit.id() == background_id) continue;
+        // 4., 5. Show the nearest, and what shines through it.
         const std::size_t pixel = frame.index(i, j);
+        if constexpr (NearestHit::keeps_all) {
+          const std::vector<ListFragment>& hits = hit.sorted();
+          if (lists.wanted()) block.add(hits);
+          frame.color[pixel] = blended(hits, hit);
+        }
+        if (hit.id() == background_id) continue;
         frame.id[pixel] = hit.id();
         frame.depth[pixel] = hit.eye_depth();
-        frame.color[pixel] = opaque(colors_[hit.id()]);
+        if constexpr (!NearestHit::keeps_all) frame.color[pixel] = colors_[hit.id()];
       }
     }
+    if (lists.wanted()) lists.add(std::move(block));
+  }
+
+  // Front to back, up to the first hit that hides what lies behind it; tied ones count once.
+  template <class NearestHit>
+  glm::vec4 blended(const std::vector<ListFragment>& hits, NearestHit& hit) const {
+    glm::vec4 color(0.0F);
+    if constexpr (NearestHit::traced) hit.steps.sort(hits.size());
+    for (std::size_t rank = 0; rank < hits.size(); ++rank) {
+      if (hits[rank].tied) continue;
+      if constexpr (NearestHit::traced) hit.steps.take(hits[rank], rank);
+      const glm::vec4& surface = colors_[hits[rank].id];
+      color = over(color, surface);
+      if (surface.a >= 1.0F) break;
+    }
+    return color;
   }
 
   // The float tests see the eye and the direction rounded once more, to float; their rays may lie
@@ -198,6 +241,7 @@ class RayCaster : public Renderer {
   BoundingVolumeHierarchy hierarchy_;
   UniformGrid grid_;
   std::vector<glm::vec4> colors_;
+  bool all_opaque_;
 };
 
 std::unique_ptr<Renderer> prepare(const Scene& scene, const Settings& chosen, const RenderOptions& options) {
@@ -215,9 +259,10 @@ const Algorithm& raycast_algorithm() {
       .variant_of = "",
       .traits = {.time = "n log n to prepare, then p log n",
                  .memory = "a tree of boxes, or a grid of lists",
-                 .transparency = "taken as opaque",
+                 .transparency = "blended front to back",
                  .cycles = "right",
-                 .exact = true},
+                 .exact = true,
+                 .keeps_lists = true},
       .settings = settings,
       .skips = skips,
       .prepare = prepare,
