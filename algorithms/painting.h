@@ -22,7 +22,9 @@ struct PaintedPiece {
 };
 
 /// Paints triangles one over the other: at each pixel's centre that a triangle covers, its colour
-/// goes over what is there and its id and depth replace what was there. No depth is compared.
+/// goes over what is there and its id and depth replace what was there. No depth is compared, but where
+/// anything is transparent: triangles that follow one another at a pixel at exactly the same depth count
+/// once, the lowest id, so that the common edge of two faces does not blend twice.
 ///
 /// `order` holds indices into `set_up.triangles`; the first is painted first. `pieces` is empty, or
 /// tells for each of `order` which part of it is painted. `colors` are premultiplied, by id. Adds to the

@@ -28,7 +28,8 @@ enum class EventKind : std::uint8_t {
                  ///< depths stand for; passed: p is nearer and is stored; number: an Order
   // Lists of fragments
   fragment_stored,   ///< at a pixel: value: eye depth; number: fragments stored there by now
-  fragment_dropped,  ///< at a pixel: p lies behind q, which hides it, or the list is full (q background)
+  fragment_dropped,  ///< at a pixel: p lies behind q, which hides it, or the list is full (q background), or
+                     ///< p ties with q (number: Order::tied), which counts for both
   list_sorted,       ///< at a pixel: number: its fragments
   fragment_taken,    ///< at a pixel: p is blended behind what is nearer; number: rank from 0, value: depth
   // Ray casting
