@@ -101,6 +101,10 @@ void add_render(CLI::App& program, RenderCommand& command) {
       app, "--layers", "F.exr", command.layers,
       "Write linear R, G, B, A (premultiplied), Z (eye depth, infinite for background) and id (primitive "
       "id, 4294967295 for background).");
+  add_file(
+      app, "--deep", "F.exr", command.deep,
+      "Write the depth list of every pixel as a deep image: R, G, B, A, Z and id of every surface (abuffer, "
+      "depthlist, raycast).");
   add_file(app, "--stats", "F.json", command.statistics, "Write camera, times, skipped work and memory.");
   command.backdrop = parse_color("--backdrop", "#eeeeee");
   add_value(
@@ -114,7 +118,7 @@ void add_render(CLI::App& program, RenderCommand& command) {
       },
       "Render N times, reusing nothing, and report the least time (default 1).");
   app.footer(
-      "Without -o, --layers and --stats the scene is rendered and only the times are shown.\n\n"
+      "Without -o, --layers, --deep and --stats the scene is rendered and only the times are shown.\n\n"
       "Example: hsr render teapot -a zbuffer[depth=unorm16] -s 640x480 -o teapot.png");
 }
 

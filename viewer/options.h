@@ -36,6 +36,7 @@ struct RenderCommand {
   AlgorithmSpec algorithm;
   std::optional<std::filesystem::path> png;
   std::optional<std::filesystem::path> layers;
+  std::optional<std::filesystem::path> deep;
   std::optional<std::filesystem::path> statistics;
   glm::vec3 backdrop{1.0F};  ///< linear RGB
   int repeats = 1;

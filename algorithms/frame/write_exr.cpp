@@ -1,7 +1,6 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfOutputFile.h>
 
 #include <algorithm>
@@ -9,8 +8,8 @@
 #include <cstdint>
 #include <exception>
 #include <string>
-#include <utility>
 
+#include "frame/memory_stream.h"
 #include "frame/write_image.h"
 #include "scene/atomic_file.h"
 #include "scene/errors.h"
@@ -19,28 +18,6 @@ namespace hsr {
 namespace {
 
 constexpr int rows_at_once = 64;  // a multiple of the 16 that ZIP compresses together
-
-/// A file in memory. OpenEXR is not given the real file, as it says nothing when the disk is full
-/// at its last write.
-class MemoryStream : public Imf::OStream {
- public:
-  MemoryStream() : Imf::OStream("memory") {}
-
-  void write(const char bytes[], int count) override {
-    const auto size = static_cast<std::size_t>(count);
-    content_.resize(std::max(content_.size(), position_ + size));
-    std::copy_n(bytes, size, content_.begin() + static_cast<std::ptrdiff_t>(position_));
-    position_ += size;
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-
-  std::string take_content() { return std::move(content_); }
-
- private:
-  std::string content_;
-  std::uint64_t position_ = 0;
-};
 
 /// One channel of the file: values of `type` that begin at `base` and lie `stride` bytes apart.
 void add_channel(Imf::Header& header, Imf::FrameBuffer& buffer, const char* name, Imf::PixelType type,

@@ -5,6 +5,7 @@
 #include "comparison.h"
 #include "exact/exact_colors.h"
 #include "exact/sampled_colors.h"
+#include "lists_by_rows.h"
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
@@ -28,22 +29,15 @@ struct Truth {
   }
 };
 
-/// Renders once more, with lists, some rows at a time, and counts the errors of the lists.
-exact::ListErrors list_errors(Renderer& renderer, const View& view, RenderOptions options,
+/// Renders once more, with lists, and counts their errors.
+exact::ListErrors list_errors(Renderer& renderer, const View& view, const RenderOptions& options,
                               const Truth& truth) {
-  constexpr int rows_at_once = 32;  // all lists of a picture may need more memory than there is
-  const Progress whole = options.progress;
-  options.progress = {};
   exact::ListErrors errors;
-  for (int first = 0; first < view.height; first += rows_at_once) {
-    const exact::Rows rows = {first, std::min(first + rows_at_once, view.height)};
-    Frame frame(view.width, view.height);
-    frame.lists.emplace();
-    options.window = PixelBox{0, view.width - 1, rows.first, rows.last - 1};
-    (void)renderer.render(view, options, frame);
-    errors += exact::measure_list_errors(*frame.lists, truth.answer, view.width, rows, options.threads);
-    (void)report_progress(whole, "comparing the lists", static_cast<double>(rows.last) / view.height);
-  }
+  render_lists_by_rows(renderer, view, options, "comparing the lists",
+                       [&](const FragmentLists& lists, int first, int rows) {
+                         errors += exact::measure_list_errors(lists, truth.answer, view.width,
+                                                              {first, first + rows}, options.threads);
+                       });
   return errors;
 }
 

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "commands/commands.h"
+#include "frame/deep_image.h"
 #include "frame/write_image.h"
+#include "lists_by_rows.h"
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
@@ -13,17 +15,35 @@
 #include "skip_choice.h"
 #include "statistics.h"
 #include "text_layout.h"
+#include "view/shading.h"
 
 namespace hsr {
 namespace {
 
+/// Throws UsageError unless a deep image can be made of what the algorithm keeps.
+void require_lists(const RenderCommand& command) {
+  require_ending("--deep", *command.deep, {".exr"});
+  if (command.algorithm.algorithm->traits.keeps_lists) return;
+  std::string names;
+  for (const Algorithm* algorithm : algorithm_catalog()) {
+    if (algorithm->traits.keeps_lists) names.append(names.empty() ? "" : ", ").append(algorithm->name);
+  }
+  throw UsageError("--deep: " + std::string(command.algorithm.algorithm->name) +
+                   " keeps no depth lists; those that do: " + names);
+}
+
 void check_outputs(const RenderCommand& command) {
-  for (const auto& file : {command.png, command.layers, command.statistics}) {
+  for (const auto& file : {command.png, command.layers, command.deep, command.statistics}) {
     if (file) require_place(*file);
   }
   if (command.png) require_ending("--output", *command.png, {".png"});
   if (command.layers) require_ending("--layers", *command.layers, {".exr"});
-  if (command.statistics && (command.statistics == command.png || command.statistics == command.layers)) {
+  if (command.deep) require_lists(command);
+  if (command.deep && command.deep == command.layers) {
+    throw UsageError("--deep: \"" + command.deep->string() + "\" is the name of the layers already");
+  }
+  if (command.statistics && (command.statistics == command.png || command.statistics == command.layers ||
+                             command.statistics == command.deep)) {
     throw UsageError("--stats: \"" + command.statistics->string() + "\" is the name of an image already");
   }
 }
@@ -41,6 +61,17 @@ RenderReport render_repeatedly(Renderer& renderer, const View& view, const Rende
     least_ms = std::min(least_ms, stopwatch.milliseconds());
   }
   return report;
+}
+
+/// Renders once more, with lists, and writes them.
+void write_deep(const RenderCommand& command, Renderer& renderer, const View& view,
+                const RenderOptions& options) {
+  const std::vector<glm::vec4> colors = surface_colors(*view.scene, options.threads);
+  DeepImage image(view.width, view.height, colors);
+  render_lists_by_rows(
+      renderer, view, options, "writing the lists",
+      [&](const FragmentLists& lists, int first, int rows) { image.add_rows(lists, first, rows); });
+  image.write(*command.deep);
 }
 
 void write_files(const RenderCommand& command, const Frame& frame, const Statistics& statistics,
@@ -61,7 +92,7 @@ void print_summary(const RenderCommand& command, const Statistics& statistics, s
       << milliseconds(statistics.load_ms) << ", prepare " << milliseconds(statistics.prepare_ms)
       << ", render " << milliseconds(statistics.render_ms);
   const char* separator = "; wrote ";
-  for (const auto& file : {command.png, command.layers, command.statistics}) {
+  for (const auto& file : {command.png, command.layers, command.deep, command.statistics}) {
     if (!file) continue;
     out << separator << file->string();
     separator = ", ";
@@ -110,6 +141,7 @@ void run(const RenderCommand& command, std::ostream& out) {
   const Statistics statistics = {
       &command.algorithm,  &view,      &report,  loaded.warnings, command.picture.threads, command.repeats,
       loaded.milliseconds, prepare_ms, render_ms};
+  if (command.deep) write_deep(command, *renderer, view, options);
   write_files(command, frame, statistics, bar.listener());
   bar.erase();
   print_summary(command, statistics, out);
