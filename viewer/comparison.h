@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
 #include "exact/list_errors.h"
+#include "failures/ordering_failures.h"
 
 namespace hsr {
 
@@ -17,7 +19,9 @@ namespace hsr {
 struct ComparedAlgorithm {
   AlgorithmSpec algorithm;
   exact::Errors errors;
-  std::optional<exact::ListErrors> lists;  ///< where it keeps lists
+  std::optional<exact::ListErrors> lists;           ///< where it keeps lists
+  std::array<std::uint64_t, cause_count> causes{};  ///< wrong pixels and wrong blends, by cause
+  std::vector<FailingPair> worst_pairs;             ///< those with the most pixels
   double prepare_ms = 0.0;
   double render_ms = 0.0;
 };

@@ -7,6 +7,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json causes(const ComparedAlgorithm& compared) {
+  Json json = Json::object();
+  for (std::size_t cause = 0; cause < cause_count; ++cause) json[cause_names[cause]] = compared.causes[cause];
+  return json;
+}
+
+Json worst_pairs(const ComparedAlgorithm& compared) {
+  Json json = Json::array();
+  for (const FailingPair& pair : compared.worst_pairs) {
+    json.push_back({{"shown", pair.shown},
+                    {"nearest", pair.nearest},
+                    {"cause", name_of(pair.cause)},
+                    {"pixels", pair.pixels},
+                    {"pixel", {pair.i, pair.j}},
+                    {"because", sentence(pair)}});
+  }
+  return json;
+}
+
 Json to_json(const Comparison& comparison, const ComparedAlgorithm& compared) {
   const exact::Errors& errors = compared.errors;
   const std::optional<double> per_million = errors_per_million(comparison, compared);
@@ -24,7 +43,8 @@ Json to_json(const Comparison& comparison, const ComparedAlgorithm& compared) {
       {"inversions", nullptr},
       {"color", nullptr},
       {"color_against", compared.algorithm.algorithm->traits.antialiased ? "32x32 samples" : "centres"},
-      {"causes", nullptr},
+      {"causes", causes(compared)},
+      {"worst_pairs", worst_pairs(compared)},
       {"prepare_ms", compared.prepare_ms},
       {"time_ms", compared.render_ms},
   };

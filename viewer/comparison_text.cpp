@@ -41,6 +41,25 @@ std::vector<std::string> row_of(const Comparison& comparison, const ComparedAlgo
           three_digits(compared.render_ms)};
 }
 
+/// How many pixels fail for which cause, and the pairs with the most, for algorithms where any do.
+std::string causes_text(const ComparedAlgorithm& compared) {
+  std::string counts;
+  for (std::size_t cause = 0; cause < cause_count; ++cause) {
+    if (compared.causes[cause] == 0) continue;
+    counts += (counts.empty() ? "" : ", ") + std::string(cause_names[cause]) + " " +
+              grouped(compared.causes[cause]);
+  }
+  if (counts.empty()) return {};
+  std::string text =
+      "\n" + paragraph(compared.algorithm.text() + " fails by cause, in pixels: " + counts + ".");
+  for (const FailingPair& pair : compared.worst_pairs) {
+    text += definition(
+        grouped(pair.pixels),
+        sentence(pair) + "; first at pixel " + std::to_string(pair.i) + " " + std::to_string(pair.j), 2, 10);
+  }
+  return text;
+}
+
 std::string exact_answer_text(const Comparison& comparison) {
   const std::uint64_t pixels =
       static_cast<std::uint64_t>(comparison.width) * static_cast<std::uint64_t>(comparison.height);
@@ -74,9 +93,11 @@ std::string to_text(const Comparison& comparison) {
                    "p99", "rmse", "max", "ms"});
   table.group_columns({{"pixels", 1, 4}, {"lists", 5, 3}, {"depth error", 8, 2}, {"colour error", 10, 2}});
   for (const ComparedAlgorithm& compared : comparison.algorithms) table.add_row(row_of(comparison, compared));
+  std::string causes;
+  for (const ComparedAlgorithm& compared : comparison.algorithms) causes += causes_text(compared);
   return paragraph(comparison.scene + ", " + counted(comparison.triangles, "triangle") + ", at " +
                    std::to_string(comparison.width) + "x" + std::to_string(comparison.height) + " pixels.") +
-         paragraph(exact_answer_text(comparison)) + "\n" + table.text() + "\n" + paragraph(legend);
+         paragraph(exact_answer_text(comparison)) + "\n" + table.text() + "\n" + paragraph(legend) + causes;
 }
 
 }  // namespace hsr

@@ -55,6 +55,12 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
   const Traits& traits = spec.algorithm->traits;
   compared.errors = exact::measure_errors(frame, truth.answer, truth.nearest,
                                           traits.antialiased ? truth.mean_colors : truth.colors);
+  OrderingFailures failures =
+      find_failures(view, spec, options, frame, truth.answer, truth.nearest, truth.colors);
+  compared.causes = failures.pixels;
+  constexpr std::size_t most_pairs = 3;
+  failures.pairs.resize(std::min(failures.pairs.size(), most_pairs));
+  compared.worst_pairs = std::move(failures.pairs);
   if (traits.keeps_lists) compared.lists = list_errors(*renderer, view, options, truth);
   return compared;
 }
