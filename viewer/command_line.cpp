@@ -84,6 +84,32 @@ void add_picture(CLI::App& app, PictureOptions& picture) {
       ->allow_extra_args(false);
 }
 
+void add_view(CLI::App& program, ViewCommand& command) {
+  CLI::App& app = *program.add_subcommand(
+      "view", "Open the viewer: toggle algorithms, look into pixels, step both ways.");
+  app.add_option("SCENE|STATE.hsr", command.scene,
+                 std::string(scene_help) + " Or a state that the viewer saved, which ends in .hsr.")
+      ->type_name("");
+  add_value(
+      app, "-a,--algorithm", "SPEC",
+      [&command](const auto& option, const auto& text) {
+        command.algorithm = with_option_named(option, [&] { return parse_algorithm_spec(text); });
+      },
+      "The algorithm to begin with, and its settings.");
+  add_file(app, "--script", "FILE", command.script,
+           "Do what the file says, a line at a time, without a display; exit with 1 at the first expectation "
+           "that fails.");
+  command.threads = all_cores();
+  add_value(
+      app, "--threads", "N",
+      [&command](const auto& option, const auto& text) {
+        command.threads = parse_whole_number(option, text, 1, greatest_threads);
+      },
+      "How many threads work (default: one per core).");
+  app.footer(
+      "The viewer is also what hsr alone opens. F1 shows its keys.\n\nExample: hsr view teapot -a painter");
+}
+
 void add_render(CLI::App& program, RenderCommand& command) {
   CLI::App& app = *program.add_subcommand("render", "Make one image of a scene with one algorithm.");
   add_picture(app, command.picture);
@@ -176,7 +202,7 @@ void require_known_subcommand(const CLI::App& program, int argc, const char* con
   std::vector<std::string> names;
   for (const CLI::App* subcommand : program.get_subcommands({})) names.push_back(subcommand->get_name());
   const std::vector<std::string_view> known(names.begin(), names.end());
-  if (argc < 2) throw UsageError("no subcommand is given" + what_there_is("", known));
+  if (argc < 2) return;  // the viewer
   const std::string_view word = argv[1];
   if (word == "-h" || word == "--help" || word == "--version") return;
   if (std::ranges::find(known, word) != known.end()) return;
@@ -191,16 +217,18 @@ Command parse_command_line(int argc, const char* const* argv) {
       "to the exact answer.",
       "hsr");
   program.formatter(std::make_shared<HelpFormatter>());
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
   program.set_help_flag("-h,--help", "Show this help.");
   program.set_version_flag("--version", "hsr " HSR_VERSION, "Show the version.");
   program.footer(
       "hsr SUBCOMMAND --help says more. Exit codes: 0 done, 1 the input or the machine failed, 2 wrong "
       "usage.");
+  ViewCommand view;
   RenderCommand render;
   CompareCommand compare;
   ExportCommand export_command;
   ListCommand list;
+  add_view(program, view);
   add_render(program, render);
   add_compare(program, compare);
   add_export(program, export_command);
@@ -224,7 +252,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     return compare;
   }
   if (program.got_subcommand("export")) return export_command;
-  return list;
+  if (program.got_subcommand("list")) return list;
+  return view;
 }
 
 }  // namespace hsr

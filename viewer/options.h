@@ -59,12 +59,20 @@ struct ListCommand {
   bool json = false;
 };
 
+struct ViewCommand {
+  std::string scene;  ///< a scene or a state file; empty: where one left
+  std::optional<AlgorithmSpec> algorithm;
+  std::optional<std::filesystem::path> script;
+  int threads = 1;
+};
+
 /// A text that was asked for instead of work, such as --help.
 struct ShowText {
   std::string text;
 };
 
 /// What the user wants done.
-using Command = std::variant<ShowText, RenderCommand, CompareCommand, ExportCommand, ListCommand>;
+using Command =
+    std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, ExportCommand, ListCommand>;
 
 }  // namespace hsr

@@ -14,7 +14,6 @@
 #include "nearest_name.h"
 #include "scene/catalog.h"
 #include "scene/errors.h"
-#include "scene/read_scene.h"
 #include "text_layout.h"
 
 namespace hsr {
@@ -58,21 +57,22 @@ void require_memory(Size size) {
 
 }  // namespace
 
+Scene open_scene(const std::string& name, ReadReport& report, const Progress& progress) {
+  if (name.find('/') == std::string::npos) {
+    if (std::optional<Scene> built_in = make_built_in_scene(name)) return std::move(*built_in);
+  }
+  require_file_name(name);
+  return read_scene(name, report, progress);
+}
+
 LoadedScene load_scene(const std::string& name, ProgressBar& bar) {
   const Stopwatch stopwatch;
   LoadedScene loaded;
-  std::optional<Scene> built_in;
-  if (name.find('/') == std::string::npos) built_in = make_built_in_scene(name);
-  if (built_in) {
-    loaded.scene = std::move(*built_in);
-  } else {
-    require_file_name(name);
-    ReadReport report;
-    loaded.scene = read_scene(name, report, bar.listener());
-    loaded.warnings = report.warnings.size();
-    bar.erase();
-    print_warnings(report.warnings);
-  }
+  ReadReport report;
+  loaded.scene = open_scene(name, report, bar.listener());
+  loaded.warnings = report.warnings.size();
+  bar.erase();
+  print_warnings(report.warnings);
   loaded.milliseconds = stopwatch.milliseconds();
   return loaded;
 }

@@ -6,6 +6,7 @@
 
 #include "options.h"
 #include "progress_bar.h"
+#include "scene/read_scene.h"
 #include "scene/scene.h"
 #include "view/view.h"
 
@@ -23,6 +24,9 @@ struct LoadedScene {
 /// UsageError for an unknown name or a parameter out of range, InputError for a file that cannot be
 /// used.
 LoadedScene load_scene(const std::string& name, ProgressBar& bar);
+
+/// The same without a word to anybody: what the reader had to say goes to `report`.
+Scene open_scene(const std::string& name, ReadReport& report, const Progress& progress);
 
 /// The view that the options ask for: the scene's own camera, or one that frames the scene, with the
 /// parts replaced that were given. Throws UsageError when it is impossible, InputError when the

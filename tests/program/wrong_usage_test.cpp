@@ -36,7 +36,8 @@ std::size_t files_in(const TemporaryFolder& folder) {
 
 TEST_CASE("program: wrong usage is one line that names the option, and exit code 2") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{}, "no subcommand is given; there are: render, compare, export, list"},
+      {{"view", "--script"}, "--script"},
+      {{"view", "box", "-a", "pointer"}, "--algorithm: unknown algorithm \"pointer\""},
       {{"rander"}, "unknown subcommand \"rander\"; did you mean \"render\"?"},
       {{"--bogus"}, "unknown subcommand \"--bogus\""},
       {{"render"}, "SCENE is required"},

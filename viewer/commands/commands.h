@@ -21,6 +21,9 @@ void run(const ExportCommand& command, std::ostream& out);
 /// hsr list: what there is to choose from.
 void run(const ListCommand& command, std::ostream& out);
 
+/// hsr view: the window.
+void run(const ViewCommand& command, std::ostream& out);
+
 /// A text that was asked for.
 void run(const ShowText& command, std::ostream& out);
 

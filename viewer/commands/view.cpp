@@ -1,0 +1,81 @@
+#include <SDL.h>
+
+#include <iostream>
+
+#include "commands/commands.h"
+#include "scene/errors.h"
+#include "window/app.h"
+#include "window/script/runner.h"
+#include "window/state_text.h"
+
+namespace hsr {
+namespace {
+
+using window::State;
+
+/// Where the state is kept from one run to the next; empty if the system names no place for such things.
+std::filesystem::path kept_state_file() {
+  char* folder = SDL_GetPrefPath("hidden-surface-kit", "hsr");
+  if (folder == nullptr) return {};
+  const std::filesystem::path file = std::filesystem::path(folder) / "last.hsr";
+  SDL_free(folder);
+  return file;
+}
+
+/// What one left; nothing on the first run. A state that cannot be read any more is passed over with a word.
+std::optional<State> kept_state(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (file.empty() || !std::filesystem::exists(file, ignored)) return std::nullopt;
+  try {
+    return window::read_state_file(file);
+  } catch (const InputError& error) {
+    std::cerr << "warning: " << error.what() << "; beginning anew\n";
+    return State{};
+  }
+}
+
+bool is_state_file(const std::string& name) { return name.ends_with(".hsr"); }
+
+/// The state that the command line asks for, on top of what one left.
+State chosen_state(const ViewCommand& command, const State& left) {
+  if (is_state_file(command.scene)) {
+    State state = window::read_state_file(command.scene);
+    if (command.algorithm) state.algorithm = *command.algorithm;
+    return state;
+  }
+  State state = left;
+  if (!command.scene.empty() && command.scene != left.scene) {
+    state.scene = command.scene;
+    state.moved.clear();
+    state.camera.reset();
+    state.pixel.reset();
+  }
+  if (command.algorithm) {
+    state.algorithm = *command.algorithm;
+    state.skips_off.clear();
+  }
+  return state;
+}
+
+}  // namespace
+
+void run(const ViewCommand& command, std::ostream& out) {
+  constexpr window::Extent size = {1280, 720};
+  if (command.script) {
+    const State state = chosen_state(command, {});
+    window::App app(size, true, command.threads);
+    app.session().bench.state = state;
+    window::run_script(app, *command.script, out);
+    return;
+  }
+  const std::filesystem::path kept = kept_state_file();
+  const std::optional<State> left = kept_state(kept);
+  const State state = chosen_state(command, left.value_or(State{}));
+  window::App app(size, false, command.threads);
+  app.session().bench.state = state;
+  app.session().key_card = !left;
+  app.run();
+  if (!kept.empty()) window::write_state_file(app.session().bench.state, kept);
+}
+
+}  // namespace hsr

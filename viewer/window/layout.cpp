@@ -1,0 +1,44 @@
+#include "window/layout.h"
+
+#include <algorithm>
+
+namespace hsr::window {
+namespace {
+
+// Sizes in heights of the letters.
+constexpr float bar_height = 2.6F;
+constexpr float status_height = 2.0F;
+constexpr float steps_height = 8.0F;
+constexpr float left_width = 18.5F;
+constexpr float right_width = 23.0F;
+/// The picture keeps this part of the window's width, whatever the panels ask for.
+constexpr float picture_part = 0.4F;
+
+}  // namespace
+
+Layout lay_out(const ImVec2& window, const LayoutWishes& wishes) {
+  const float em = wishes.em;
+  float left = wishes.left ? left_width * em : 0.0F;
+  float right = wishes.right ? right_width * em : 0.0F;
+  const float panels = (1.0F - picture_part) * window.x;
+  if (left + right > panels) {
+    const float shrink = panels / (left + right);
+    left *= shrink;
+    right *= shrink;
+  }
+  const float top = std::min(bar_height * em, window.y);
+  const float status = std::min(status_height * em, window.y - top);
+  const float steps = wishes.steps ? std::min(steps_height * em, (window.y - top - status) / 2.0F) : 0.0F;
+  const float bottom = window.y - status;
+  const float middle = std::max(bottom - steps - top, 1.0F);
+  Layout layout;
+  layout.bar = {{0.0F, 0.0F}, {window.x, top}};
+  layout.left = {{0.0F, top}, {left, bottom - top}};
+  layout.picture = {{left, top}, {std::max(window.x - left - right, 1.0F), middle}};
+  layout.right = {{window.x - right, top}, {right, bottom - top}};
+  layout.steps = {{left, top + middle}, {layout.picture.size.x, steps}};
+  layout.status = {{0.0F, bottom}, {window.x, status}};
+  return layout;
+}
+
+}  // namespace hsr::window

@@ -1,0 +1,62 @@
+#include "text_layout.h"
+#include "window/panels/panels.h"
+
+namespace hsr::window {
+namespace {
+
+void row(Ui& ui, const std::string& name, const std::string& value) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.faint_text);
+  ImGui::TextUnformatted(name.c_str());
+  ImGui::PopStyleColor();
+  ImGui::TableNextColumn();
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(value.c_str()).x;
+  if (room > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+  ImGui::TextUnformatted(value.c_str());
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  constexpr double thousand = 1000.0;
+  const auto size = static_cast<double>(bytes);
+  if (size < thousand * thousand) return three_digits(size / thousand) + " kB";
+  return three_digits(size / thousand / thousand) + " MB";
+}
+
+std::string words_of(std::string name) {
+  for (char& letter : name) letter = letter == '_' ? ' ' : letter;
+  return name;
+}
+
+}  // namespace
+
+void draw_work_panel(Ui& ui, Session& session) {
+  State& state = session.bench.state;
+  const auto picture = session.bench.picture();
+  for (const Skip& skip : state.algorithm.algorithm->skips) {
+    bool used = !state.skips_off.contains(skip.name);
+    std::string label = "skip " + std::string(skip.name);
+    if (ui.checkbox(label.c_str(), used, std::string(skip.meaning))) {
+      if (used) {
+        state.skips_off.erase(std::string(skip.name));
+      } else {
+        state.skips_off.insert(std::string(skip.name));
+      }
+    }
+    if (!picture || !session.bench.picture_is_current()) continue;
+    const auto count = picture->report.skipped.find(skip.name);
+    if (count == picture->report.skipped.end()) continue;
+    ImGui::SameLine();
+    const std::string text = grouped(count->second);
+    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+    ImGui::TextUnformatted(text.c_str());
+  }
+  if (!picture || !ImGui::BeginTable("work", 2, ImGuiTableFlags_SizingStretchProp)) return;
+  row(ui, "prepare", milliseconds(picture->prepare_ms));
+  row(ui, "render", milliseconds(picture->render_ms));
+  row(ui, "memory", bytes_text(picture->report.bytes));
+  for (const auto& [name, count] : picture->report.counters) row(ui, words_of(name), grouped(count));
+  ImGui::EndTable();
+}
+
+}  // namespace hsr::window

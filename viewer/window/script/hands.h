@@ -1,0 +1,37 @@
+#pragma once
+
+#include <SDL.h>
+
+#include <string>
+
+#include "window/app.h"
+
+namespace hsr::window {
+
+/// Hands on mouse and keyboard: every function pushes real events and lets the window draw in between, as it
+/// does for a person.
+class Hands {
+ public:
+  explicit Hands(App& app) : app_(app) {}
+
+  void move(int x, int y);
+  void press(Uint8 button);
+  void release(Uint8 button);
+  void click(int x, int y, Uint8 button = SDL_BUTTON_LEFT);
+  void drag(int from_x, int from_y, int to_x, int to_y, Uint8 button = SDL_BUTTON_LEFT);
+  void wheel(int notches);
+  /// "right", "Shift+N", "Ctrl+S". Throws UsageError for a key that does not exist.
+  void key(const std::string& name);
+  void type(const std::string& text);
+  void drop(const std::string& file);
+  /// Draws until nothing is computed any more. Throws InputError after two minutes.
+  void wait();
+  void frames(int count);
+
+ private:
+  void push(SDL_Event event);
+
+  App& app_;
+};
+
+}  // namespace hsr::window

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+
+#include "window/sdl_window.h"
+#include "window/work/bitmap.h"
+#include "window/workbench.h"
+
+namespace hsr::window {
+
+/// A texture that is made anew only when what it shows has changed.
+struct ShownPicture {
+  Texture texture;
+  std::shared_ptr<const void> source;   ///< what it was made of
+  std::shared_ptr<const void> source2;  ///< and the second part of it
+  Theme theme = Theme::dark;
+};
+
+/// An open window: the workbench, and what is not worth keeping when the window closes.
+struct Session {
+  Session(std::function<void()> wake, int threads) : bench(std::move(wake), threads) {}
+
+  Workbench bench;
+  SDL_Renderer* renderer = nullptr;
+  double now = 0.0;  ///< seconds since the window opened
+  bool quit = false;
+  bool key_card = false;              ///< the list of keys is shown
+  bool panel_keys = false;            ///< the keyboard moves through the panels
+  bool search_scene = false;          ///< the scene picker is to open, ready to type
+  std::string scene_words;            ///< what is typed into it
+  std::optional<glm::ivec2> hovered;  ///< the pixel under the mouse
+  std::string message;                ///< told for a while in the status line
+  double message_until = 0.0;
+  Extent picture_room = {640, 400};  ///< pixels that the picture has on the screen
+
+  ShownPicture shown_picture;
+  ShownPicture shown_other;
+  ShownPicture shown_difference;
+  ShownPicture shown_overlay;
+
+  void tell(const std::string& text) {
+    constexpr double seconds = 6.0;
+    message = text;
+    message_until = now + seconds;
+  }
+  /// The pixel that is explained: the selected one, or else the one under the mouse.
+  std::optional<glm::ivec2> pixel_in_question() const {
+    return bench.state.pixel ? bench.state.pixel : hovered;
+  }
+};
+
+}  // namespace hsr::window

@@ -1,0 +1,24 @@
+#include "window/state.h"
+
+#include <array>
+
+namespace hsr::window {
+
+std::span<const std::string_view> comparing_names() {
+  static constexpr std::array<std::string_view, 5> names = {"off", "wiper", "side by side", "blink",
+                                                            "difference"};
+  return names;
+}
+
+std::span<const std::string_view> overlay_names() {
+  static constexpr std::array<std::string_view, 6> names = {"none",  "errors", "overdraw",
+                                                            "depth", "face",   "color error"};
+  return names;
+}
+
+std::span<const std::string_view> theme_names() {
+  static constexpr std::array<std::string_view, 2> names = {"dark", "light"};
+  return names;
+}
+
+}  // namespace hsr::window

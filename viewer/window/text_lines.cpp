@@ -1,0 +1,57 @@
+#include "window/text_lines.h"
+
+#include "scene/errors.h"
+
+namespace hsr::window {
+namespace {
+
+constexpr std::size_t longest_line = 4096;
+constexpr std::size_t most_lines = 1000000;
+
+std::vector<std::string> split_words(std::string_view line, const std::string& place) {
+  std::vector<std::string> words;
+  bool in_quotes = false;
+  bool in_word = false;
+  for (const char letter : line) {
+    if (letter == '\0') throw InputError(place + "this is no text");
+    const bool space = letter == ' ' || letter == '\t' || letter == '\r';
+    if (letter == '#' && !in_quotes && !in_word) break;
+    if (space && !in_quotes) {
+      in_word = false;
+      continue;
+    }
+    if (!in_word) words.emplace_back();
+    in_word = true;
+    if (letter == '"') {
+      in_quotes = !in_quotes;
+    } else {
+      words.back() += letter;
+    }
+  }
+  if (in_quotes) throw InputError(place + "a double quote is not closed");
+  return words;
+}
+
+}  // namespace
+
+std::vector<TextLine> split_lines(std::string_view text, const std::string& source) {
+  std::vector<TextLine> lines;
+  for (int number = 1; !text.empty(); ++number) {
+    const std::size_t end = text.find('\n');
+    const std::string_view line = text.substr(0, end);
+    const std::string place = source + ":" + std::to_string(number) + ": ";
+    if (line.size() > longest_line || lines.size() >= most_lines) throw InputError(place + "too long");
+    TextLine split = {number, split_words(line, place)};
+    if (!split.words.empty()) lines.push_back(std::move(split));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+std::string as_word(std::string_view word) {
+  const bool plain = !word.empty() && word.find_first_of(" \t#") == std::string_view::npos;
+  return plain ? std::string(word) : '"' + std::string(word) + '"';
+}
+
+}  // namespace hsr::window

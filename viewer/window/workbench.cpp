@@ -1,0 +1,232 @@
+#include "window/workbench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+namespace hsr::window {
+namespace {
+
+/// How long the camera must rest before a picture in full size is begun.
+constexpr double rest_seconds = 0.15;
+/// What a picture may take while the camera moves, and how many times coarser it may be for that.
+constexpr double moving_ms = 40.0;
+constexpr int coarsest = 6;
+
+ViewKey coarser(ViewKey key, int times) {
+  key.size.width = std::max(1, key.size.width / times);
+  key.size.height = std::max(1, key.size.height / times);
+  return key;
+}
+
+}  // namespace
+
+Workbench::Workbench(std::function<void()> wake, int threads)
+    : threads_(threads),
+      model_lane_(wake),
+      picture_lane_(wake),
+      other_lane_(wake),
+      truth_lane_(wake),
+      judgement_lane_(wake) {}
+
+Extent Workbench::picture_size() const { return state.picture.value_or(panel_); }
+
+Camera Workbench::camera() const { return state.camera.value_or(home_camera_); }
+
+void Workbench::find_home_camera() {
+  const Scene& scene = *model()->scene;
+  const double aspect = static_cast<double>(picture_size().width) / picture_size().height;
+  if (home_of_ == std::pair(model()->number, aspect)) return;
+  home_of_ = {model()->number, aspect};
+  home_camera_ = scene.camera ? *scene.camera : framing_camera(scene, aspect);
+  // The scenes' own cameras are meant for pictures at least this wide; a narrower one must not cut off more.
+  constexpr double narrowest = 16.0 / 9.0;
+  if (scene.camera && aspect < narrowest) {
+    const double half = glm::radians(home_camera_.vertical_fov_degrees) / 2.0;
+    home_camera_.vertical_fov_degrees = glm::degrees(2.0 * std::atan(std::tan(half) * narrowest / aspect));
+  }
+}
+
+ViewKey Workbench::view_key() const { return {model()->number, camera(), picture_size()}; }
+
+PictureKey Workbench::picture_key() const { return {view_key(), state.algorithm.text(), state.skips_off}; }
+
+std::string Workbench::other_name() const { return state.other ? state.other->text() : "exact answer"; }
+
+Surroundings Workbench::surroundings() const { return {model(), threads_}; }
+
+void Workbench::update(double seconds, Extent panel) {
+  now_ = seconds;
+  if (panel.width > 0 && panel.height > 0) panel_ = panel;
+  if (model_lane_.poll() && model_lane_.result_key()->moved.empty()) {
+    unmoved_ = model()->scene;
+    unmoved_name_ = model_lane_.result_key()->scene;
+  }
+  if (picture_lane_.poll()) {
+    ++pictures_made_;
+    if (picture_lane_.result_key()->view.size == picture_size()) full_ms_ = picture()->render_ms;
+  }
+  (void)other_lane_.poll();
+  (void)truth_lane_.poll();
+  (void)judgement_lane_.poll();
+  settling_ = now_ - camera_moved_ < rest_seconds;
+  want_model();
+  if (!model()) return;
+  find_home_camera();
+  if (!model_is_current()) return;
+  want_pictures();
+  want_truth();
+}
+
+bool Workbench::model_is_current() const {
+  return model() && model_lane_.result_key() == ModelKey{state.scene, state.moved};
+}
+
+void Workbench::want_model() {
+  ModelKey key = {state.scene, state.moved};
+  if (unmoved_name_ != key.scene) key.moved.clear();  // what is to be moved must be there first
+  model_lane_.want(key, key.moved.empty(), [&] {
+    const auto unmoved = key.moved.empty() ? nullptr : unmoved_;
+    return [key, unmoved, number = ++models_](const Progress& progress) {
+      return make_model(key, number, unmoved, progress);
+    };
+  });
+}
+
+int Workbench::coarseness() const {
+  if (!settling_ || full_ms_ <= moving_ms) return 1;
+  return std::min(coarsest, static_cast<int>(std::ceil(std::sqrt(full_ms_ / moving_ms))));
+}
+
+void Workbench::want_pictures() {
+  PictureKey key = picture_key();
+  key.view = coarser(key.view, coarseness());
+  const auto make = [this](const PictureKey& wanted, const std::shared_ptr<PreparedRenderers>& prepared) {
+    return [wanted, prepared, given = surroundings()](const Progress& progress) {
+      return render_picture(wanted, given, *prepared, progress);
+    };
+  };
+  // A picture on its way is finished while the camera moves, or there would be none before it rests.
+  picture_lane_.want(key, !settling_, [&] { return make(key, prepared_); });
+  if (state.comparing == Comparing::off || !state.other) return;
+  PictureKey other_key = key;
+  other_key.algorithm = state.other->text();
+  other_key.skips_off.clear();
+  other_lane_.want(other_key, !settling_, [&] { return make(other_key, other_prepared_); });
+}
+
+void Workbench::want_truth() {
+  const bool needed = state.check || (state.comparing != Comparing::off && !state.other);
+  if (!needed || settling_ || !picture_is_current()) return;
+  const ViewKey view = view_key();
+  truth_lane_.want(view, true, [&] {
+    return [view, given = surroundings()](const Progress& progress) {
+      return find_truth(view, given, progress);
+    };
+  });
+  if (!truth()) return;
+  judgement_lane_.want(picture_key(), true, [&] {
+    return [rendered = picture(), exact = truth()](const Progress& progress) {
+      return judge(*rendered, *exact, progress);
+    };
+  });
+}
+
+bool Workbench::picture_is_current() const {
+  return model_is_current() && picture() && picture_lane_.result_key() == picture_key();
+}
+
+std::shared_ptr<const Truth> Workbench::truth() const {
+  if (!model_is_current() || !truth_lane_.result() || !(*truth_lane_.result_key() == view_key()))
+    return nullptr;
+  return truth_lane_.result();
+}
+
+std::shared_ptr<const Judgement> Workbench::judgement() const {
+  if (!model_is_current() || !judgement_lane_.result() || !(*judgement_lane_.result_key() == picture_key()))
+    return nullptr;
+  return judgement_lane_.result();
+}
+
+void Workbench::move_camera(const Camera& camera) {
+  state.camera = camera;
+  camera_moved_ = now_;
+  settling_ = true;
+}
+
+void Workbench::open_scene(const std::string& words) {
+  state.scene = words;
+  state.moved.clear();
+  state.camera.reset();
+  state.pixel.reset();
+  state.magnification = 1.0F;
+  state.centre = glm::vec2(0.5F);
+  model_lane_.retry();
+}
+
+void Workbench::select_algorithm(const AlgorithmSpec& spec) {
+  state.algorithm = spec;
+  state.skips_off.clear();
+}
+
+void Workbench::move_corner(std::uint32_t corner, const glm::vec3& position) {
+  const auto found = std::ranges::find(state.moved, corner, &MovedCorner::corner);
+  if (found != state.moved.end()) {
+    found->position = position;
+  } else {
+    state.moved.push_back({corner, position});
+  }
+}
+
+bool Workbench::busy() const {
+  return settling_ || model_lane_.busy() || picture_lane_.busy() || other_lane_.busy() ||
+         truth_lane_.busy() || judgement_lane_.busy();
+}
+
+void Workbench::cancel() {
+  model_lane_.give_up();
+  picture_lane_.give_up();
+  other_lane_.give_up();
+  truth_lane_.give_up();
+  judgement_lane_.give_up();
+}
+
+bool Workbench::cancelled() const {
+  return model_lane_.has_given_up() || picture_lane_.has_given_up() || other_lane_.has_given_up() ||
+         truth_lane_.has_given_up() || judgement_lane_.has_given_up();
+}
+
+void Workbench::retry() {
+  model_lane_.retry();
+  picture_lane_.retry();
+  other_lane_.retry();
+  truth_lane_.retry();
+  judgement_lane_.retry();
+}
+
+std::vector<Workbench::Running> Workbench::running() const {
+  std::vector<Running> pieces;
+  const auto add = [&pieces](const std::string& what, const auto& lane) {
+    if (!lane.busy()) return;
+    const auto [stage, done] = lane.progress();
+    pieces.push_back({what, stage, done, lane.running_ms()});
+  };
+  add("scene", model_lane_);
+  add(state.algorithm.text(), picture_lane_);
+  add(other_name(), other_lane_);
+  add("exact answer", truth_lane_);
+  add("comparison", judgement_lane_);
+  return pieces;
+}
+
+std::vector<std::string> Workbench::problems() const {
+  std::vector<std::string> lines;
+  for (const std::string& error : {model_lane_.error(), picture_lane_.error(), other_lane_.error(),
+                                   truth_lane_.error(), judgement_lane_.error()}) {
+    if (!error.empty() && std::ranges::find(lines, error) == lines.end()) lines.push_back(error);
+  }
+  return lines;
+}
+
+}  // namespace hsr::window

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "window/lane.h"
+#include "window/state.h"
+#include "window/work/model.h"
+#include "window/work/rendered.h"
+#include "window/work/truth.h"
+
+namespace hsr::window {
+
+/// Which comparison with the exact answer is meant: of a picture.
+using JudgementKey = PictureKey;
+
+/// The viewer without its window: the state, and everything that is computed from it, in threads of its
+/// own. Panels change `state` and read the results; update() notices what changed and asks for what is
+/// missing. Results stay until newer ones are there, so each says what it is of.
+class Workbench {
+ public:
+  /// `wake` is called from any thread when update() should be called soon.
+  Workbench(std::function<void()> wake, int threads);
+
+  State state;
+
+  /// Takes over what is finished and begins what is missing. `seconds` is the time, from any beginning;
+  /// `panel` how large a picture fits its place on the screen, in pixels.
+  void update(double seconds, Extent panel);
+  /// Whether something is still computed or waits for its turn.
+  bool busy() const;
+  /// Whether update() must be called soon although nobody wakes it.
+  bool settling() const { return settling_; }
+
+  /// The scene that is shown; null before the first is loaded.
+  std::shared_ptr<const Model> model() const { return model_lane_.result(); }
+  /// The camera, size and view that the state asks for. There must be a model.
+  Camera camera() const;
+  Extent picture_size() const;
+  ViewKey view_key() const;
+  PictureKey picture_key() const;
+  std::string other_name() const;
+
+  /// The algorithm's picture; maybe of an earlier state.
+  std::shared_ptr<const Rendered> picture() const { return picture_lane_.result(); }
+  /// Whether it is of the present state, in full size.
+  bool picture_is_current() const;
+  /// What the picture is compared with, the same; null where that is the exact answer.
+  std::shared_ptr<const Rendered> other() const { return other_lane_.result(); }
+  /// The exact answer and what it says of the picture; null unless it is of the present state.
+  std::shared_ptr<const Truth> truth() const;
+  std::shared_ptr<const Judgement> judgement() const;
+
+  /// Moves the camera: until it rests, pictures are as coarse as is needed to follow.
+  void move_camera(const Camera& camera);
+  /// Another scene, from its own camera. A name that does not exist is told by problems().
+  void open_scene(const std::string& words);
+  void select_algorithm(const AlgorithmSpec& spec);
+  /// Drags a corner of a triangle to a place in the world.
+  void move_corner(std::uint32_t corner, const glm::vec3& position);
+
+  /// Stops all work that is not finished; nothing of it is begun again before something changes.
+  void cancel();
+  bool cancelled() const;
+  /// Begins again what was stopped or has failed.
+  void retry();
+
+  /// A running piece of work.
+  struct Running {
+    std::string what;
+    std::string stage;
+    double done = 0.0;
+    double milliseconds = 0.0;
+  };
+  std::vector<Running> running() const;
+  /// What went wrong with the present state, a line each.
+  std::vector<std::string> problems() const;
+
+  int threads() const { return threads_; }
+  /// How many pictures were made so far: none while nothing changes.
+  std::uint64_t pictures_made() const { return pictures_made_; }
+
+ private:
+  Surroundings surroundings() const;
+  bool model_is_current() const;
+  void find_home_camera();
+  void want_model();
+  void want_pictures();
+  void want_truth();
+  int coarseness() const;
+
+  int threads_;
+  double now_ = 0.0;
+  double camera_moved_ = -1.0;  // when
+  bool settling_ = false;
+  Extent panel_ = {640, 400};
+  std::uint64_t models_ = 0;
+  Camera home_camera_;  // where the scene is seen from at first
+  std::pair<std::uint64_t, double> home_of_ = {0,
+                                               0.0};  // the model and the ratio of width to height it is for
+  std::uint64_t pictures_made_ = 0;
+  double full_ms_ = 0.0;  // how long the last picture in full size took
+
+  // A renderer keeps what it prepared, so each lane has its own.
+  std::shared_ptr<PreparedRenderers> prepared_ = std::make_shared<PreparedRenderers>();
+  std::shared_ptr<PreparedRenderers> other_prepared_ = std::make_shared<PreparedRenderers>();
+  std::shared_ptr<const Scene> unmoved_;  // the scene as it was read
+  std::string unmoved_name_;
+
+  Lane<ModelKey, Model> model_lane_;
+  Lane<PictureKey, Rendered> picture_lane_;
+  Lane<PictureKey, Rendered> other_lane_;
+  Lane<ViewKey, Truth> truth_lane_;
+  Lane<JudgementKey, Judgement> judgement_lane_;
+};
+
+}  // namespace hsr::window
