@@ -1,6 +1,9 @@
 #include "fragment_order.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 #include "view/shading.h"
 
@@ -36,11 +39,14 @@ void FragmentOrder::sort_few(std::span<OrderedFragment> fragments, double a, dou
 // Sorts by the doubles, then cuts the list wherever their bounds show that all before lies in front of
 // all behind. What lies between two cuts, nearly always a single fragment, is sorted by itself.
 void FragmentOrder::sort_many(std::span<OrderedFragment> fragments, double a, double b) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   bounds_.clear();
   for (const OrderedFragment& fragment : fragments) {
     const BoundedPlane& plane = set_up_.triangles[fragment.index].inverse_depth;
     const Bounded inverse_depth(plane.at(a, b), plane.bound);
-    bounds_.push_back({inverse_depth.upper(), inverse_depth.lower(), fragment.index});
+    const bool known = std::isfinite(inverse_depth.upper()) && std::isfinite(inverse_depth.lower());
+    bounds_.push_back({known ? inverse_depth.upper() : infinity, known ? inverse_depth.lower() : -infinity,
+                       fragment.index});
   }
   std::ranges::sort(bounds_, [](const Bounds& p, const Bounds& q) {
     return p.upper != q.upper ? p.upper > q.upper : p.index < q.index;
@@ -65,27 +71,29 @@ void FragmentOrder::sort_many(std::span<OrderedFragment> fragments, double a, do
   }
 }
 
+// Numbers of any length are made once for each fragment; in lowest terms, equal ones are quickly told.
 void FragmentOrder::sort_exactly(std::span<OrderedFragment> fragments, double a, double b) {
-  std::vector<Exact> exact;
-  exact.reserve(fragments.size());
+  std::vector<mpq_class> inverse_depth;
+  inverse_depth.reserve(fragments.size());
   for (const OrderedFragment& fragment : fragments) {
-    exact.push_back(
-        {predicates_.exact_inverse_depth(set_up_.triangles[fragment.index], a, b), fragment.index});
+    inverse_depth.push_back(predicates_.exact_inverse_depth(set_up_.triangles[fragment.index], a, b));
   }
-  // Moving numbers of any length about would cost more than comparing them.
-  std::vector<std::uint32_t> order(exact.size());
-  for (std::uint32_t place = 0; place < order.size(); ++place) order[place] = place;
+  std::vector<std::uint32_t> order(fragments.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto index = [&](std::uint32_t place) { return fragments[place].index; };
   std::ranges::sort(order, [&](std::uint32_t p, std::uint32_t q) {
-    const int depth_order = compare_depth(exact[p].inverse_depth, exact[q].inverse_depth);
-    if (depth_order != 0) return depth_order < 0;
-    return set_up_.triangles[exact[p].index].id < set_up_.triangles[exact[q].index].id;
+    if (inverse_depth[p] == inverse_depth[q]) {
+      return set_up_.triangles[index(p)].id < set_up_.triangles[index(q)].id;
+    }
+    return inverse_depth[p] > inverse_depth[q];
   });
+  std::vector<OrderedFragment> sorted;
+  sorted.reserve(fragments.size());
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const Exact& here = exact[order[rank]];
-    const bool tied =
-        rank > 0 && compare_depth(exact[order[rank - 1]].inverse_depth, here.inverse_depth) == 0;
-    fragments[rank] = {here.index, tied};
+    const bool tied = rank > 0 && inverse_depth[order[rank - 1]] == inverse_depth[order[rank]];
+    sorted.push_back({index(order[rank]), tied});
   }
+  std::ranges::copy(sorted, fragments.begin());
 }
 
 glm::vec4 composited(std::span<const OrderedFragment> fragments, const ScreenTriangles& set_up,

@@ -35,10 +35,6 @@ class FragmentOrder {
     double lower;
     std::uint32_t index;
   };
-  struct Exact {
-    ExactInverseDepth inverse_depth;
-    std::uint32_t index;
-  };
 
   void sort_few(std::span<OrderedFragment> fragments, double a, double b);
   void sort_many(std::span<OrderedFragment> fragments, double a, double b);

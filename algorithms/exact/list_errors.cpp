@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "exact/worker.h"
 #include "parallel.h"
 
 namespace hsr::exact {
@@ -16,43 +15,37 @@ namespace {
 // The lists of one pixel against each other.
 class ListComparison {
  public:
-  explicit ListComparison(Worker& worker) : worker_(worker) {}
-
-  ListErrors compare(std::span<const ListFragment> shown, std::span<const Fragment> exact, int i, int j) {
+  ListErrors compare(std::span<const ListFragment> shown, std::span<const Fragment> exact) {
     wanted_.clear();
-    for (const Fragment& fragment : exact) wanted_.push_back(fragment.id);
-    std::ranges::sort(wanted_);
-    seen_.assign(wanted_.size(), false);
+    std::uint32_t depth_rank = 0;
+    for (const Fragment& fragment : exact) {
+      if (!fragment.tied) ++depth_rank;
+      wanted_.push_back({fragment.id, depth_rank, false});
+    }
+    std::ranges::sort(wanted_, {}, &Wanted::id);
     ListErrors errors;
-    std::uint32_t before = background_id;
+    std::uint32_t rank_before = 0;
     for (const ListFragment& fragment : shown) {
-      if (!take(fragment.id)) {
+      const auto found = std::ranges::lower_bound(wanted_, fragment.id, {}, &Wanted::id);
+      if (found == wanted_.end() || found->id != fragment.id || found->seen) {
         ++errors.extra;
         continue;
       }
-      if (before != background_id && worker_.compare_depth(before, fragment.id, i, j) > 0) {
-        ++errors.inversions;
-      }
-      before = fragment.id;
+      found->seen = true;
+      if (found->depth_rank < rank_before) ++errors.inversions;
+      rank_before = found->depth_rank;
     }
-    errors.missing = static_cast<std::uint64_t>(std::ranges::count(seen_, false));
+    errors.missing = static_cast<std::uint64_t>(std::ranges::count(wanted_, false, &Wanted::seen));
     return errors;
   }
 
  private:
-  // Whether the exact list has the id, and has had it for the first time.
-  bool take(std::uint32_t id) {
-    const auto found = std::ranges::lower_bound(wanted_, id);
-    if (found == wanted_.end() || *found != id) return false;
-    const auto place = static_cast<std::size_t>(found - wanted_.begin());
-    if (seen_[place]) return false;
-    seen_[place] = true;
-    return true;
-  }
-
-  Worker& worker_;
-  std::vector<std::uint32_t> wanted_;  // the exact list's ids, sorted
-  std::vector<bool> seen_;             // which of them the list has
+  struct Wanted {
+    std::uint32_t id;
+    std::uint32_t depth_rank;  // the same for all at the same depth
+    bool seen;
+  };
+  std::vector<Wanted> wanted_;  // the exact list, by id
 };
 
 }  // namespace
@@ -65,9 +58,8 @@ ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& ex
   std::mutex mutex;
   parallel_for(rows.last - rows.first, threads, [&](int index) {
     const int j = rows.first + index;
-    Worker worker = exact.worker();
-    ListComparison comparison(worker);
-    const DepthLists wanted = worker.depth_lists(j, j + 1);
+    ListComparison comparison;
+    const DepthLists wanted = exact.depth_lists(j, j + 1);
     ListErrors row;
     for (std::size_t column = 0; column < columns; ++column) {
       const std::size_t pixel = static_cast<std::size_t>(j) * columns + column;
@@ -75,8 +67,7 @@ ListErrors measure_list_errors(const FragmentLists& lists, const ExactAnswer& ex
       row += comparison.compare(
           std::span(lists.fragments).subspan(lists.begin[pixel], shown),
           std::span(wanted.fragments)
-              .subspan(wanted.begin[column], wanted.begin[column + 1] - wanted.begin[column]),
-          static_cast<int>(column), j);
+              .subspan(wanted.begin[column], wanted.begin[column + 1] - wanted.begin[column]));
     }
     const std::lock_guard lock(mutex);
     errors += row;

@@ -182,12 +182,8 @@ DepthLists Worker::depth_lists(int first_row, int last_row) {
   visit_fragments(first_row, last_row, [&](std::uint32_t id, int i, int j) {
     entries.push_back({static_cast<std::uint32_t>((j - first_row) * view_.width + i), id});
   });
-  std::ranges::sort(entries, [&](const Entry& p, const Entry& q) {
-    if (p.pixel != q.pixel) return p.pixel < q.pixel;
-    const int i = static_cast<int>(p.pixel) % view_.width;
-    const int j = first_row + static_cast<int>(p.pixel) / view_.width;
-    const int order = compare_depth(p.id, q.id, i, j);
-    return order != 0 ? order < 0 : p.id < q.id;
+  std::ranges::sort(entries, [](const Entry& p, const Entry& q) {
+    return p.pixel != q.pixel ? p.pixel < q.pixel : p.id < q.id;
   });
   DepthLists lists;
   lists.first_row = first_row;
@@ -195,16 +191,19 @@ DepthLists Worker::depth_lists(int first_row, int last_row) {
   const auto pixels = static_cast<std::size_t>(last_row - first_row) * static_cast<std::size_t>(view_.width);
   lists.begin.assign(pixels + 1, 0);
   lists.fragments.reserve(entries.size());
-  for (std::size_t place = 0; place < entries.size(); ++place) {
-    const Entry& entry = entries[place];
-    ++lists.begin[entry.pixel + 1];
-    const int i = static_cast<int>(entry.pixel) % view_.width;
-    const int j = first_row + static_cast<int>(entry.pixel) / view_.width;
-    const bool tied = place > 0 && entries[place - 1].pixel == entry.pixel &&
-                      compare_depth(entries[place - 1].id, entry.id, i, j) == 0;
-    lists.fragments.push_back({entry.id, depth(entry.id, i, j), tied});
+  std::vector<Listed> list;
+  auto entry = entries.cbegin();
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    list.clear();
+    for (; entry != entries.cend() && entry->pixel == pixel; ++entry) list.push_back({entry->id, false});
+    const int i = static_cast<int>(pixel) % view_.width;
+    const int j = first_row + static_cast<int>(pixel) / view_.width;
+    sort_list(list, i, j);
+    for (const Listed& listed : list) {
+      lists.fragments.push_back({listed.id, depth(listed.id, i, j), listed.tied});
+    }
+    lists.begin[pixel + 1] = lists.fragments.size();
   }
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel) lists.begin[pixel + 1] += lists.begin[pixel];
   return lists;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "exact/exact_answer.h"
@@ -46,6 +47,16 @@ class Worker {
   Span narrowed(Span span, std::uint32_t id, std::size_t plane, int sample_b);
   int first_with(bool wanted, std::uint32_t id, std::size_t plane, int sample_b, Span span);
   std::shared_ptr<const IntegerTriangle> integer_triangle(std::uint32_t id);
+
+  // A surface in the list of a pixel.
+  struct Listed {
+    std::uint32_t id;
+    bool tied;  // at exactly the same depth as the one before it
+  };
+  // Sort the triangles that cover pixel (i, j) by depth, ties by id.
+  void sort_list(std::vector<Listed>& list, int i, int j);
+  void sort_few(std::span<Listed> list, int i, int j);
+  void sort_in_integers(std::span<Listed> list, int i, int j);
 
   template <class Visit>
   void visit_fragments(int first_row, int last_row, Visit visit);

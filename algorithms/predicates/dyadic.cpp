@@ -50,4 +50,16 @@ double Dyadic::rounded(long& exponent) const {
   return fraction;
 }
 
+mpq_class quotient(const Dyadic& a, const Dyadic& b) {
+  mpq_class result(a.mantissa_, b.mantissa_);
+  const long exponent = a.exponent_ - b.exponent_;
+  if (exponent >= 0) {
+    result.get_num() <<= static_cast<mp_bitcnt_t>(exponent);
+  } else {
+    result.get_den() <<= static_cast<mp_bitcnt_t>(-exponent);
+  }
+  result.canonicalize();
+  return result;
+}
+
 }  // namespace hsr

@@ -18,6 +18,8 @@ class Dyadic {
   /// overflow nor underflow can occur; the result's absolute value is in [0.5, 1), or 0.
   double rounded(long& exponent) const;
 
+  /// a / b in lowest terms; b must not be 0.
+  friend mpq_class quotient(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);

@@ -76,10 +76,10 @@ int SamplePredicates::exactly_compare_depth(std::uint32_t p, std::uint32_t q, do
   return (inverse_q - inverse_p).sign();
 }
 
-ExactInverseDepth SamplePredicates::exact_inverse_depth(const SampleTriangle& triangle, double a, double b) {
+mpq_class SamplePredicates::exact_inverse_depth(const SampleTriangle& triangle, double a, double b) {
   ++exact_evaluations_;
   const ExactTriangle& exact = triangles_.one(triangle.id);
-  return {at_sample(exact.oriented.sum, a, b), exact.oriented.det};
+  return quotient(at_sample(exact.oriented.sum, a, b), exact.oriented.det);
 }
 
 float SamplePredicates::nearest_float_depth(const SampleTriangle& triangle, double a, double b) {

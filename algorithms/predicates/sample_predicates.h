@@ -11,18 +11,6 @@
 
 namespace hsr {
 
-/// An exact 1 / eye depth, sum / det. Made once for each of many triangles, it sorts them without
-/// making them anew for every comparison.
-struct ExactInverseDepth {
-  Dyadic sum;
-  Dyadic det;  ///< above 0
-};
-
-/// -1 if p is nearer than q, 0 if both are equally deep, 1 if p is farther.
-inline int compare_depth(const ExactInverseDepth& p, const ExactInverseDepth& q) {
-  return (q.sum * p.det - p.sum * q.det).sign();
-}
-
 /// The exact questions that algorithms ask about triangles at samples, each answered in doubles
 /// where the error bound allows and in exact arithmetic where it does not.
 ///
@@ -46,8 +34,9 @@ class SamplePredicates {
   /// Both must cover the sample.
   int compare_depth(const SampleTriangle& p, const SampleTriangle& q, double a, double b);
 
-  /// 1 / eye depth in exact numbers at a sample that the triangle covers.
-  ExactInverseDepth exact_inverse_depth(const SampleTriangle& triangle, double a, double b);
+  /// The exact 1 / eye depth at a sample that the triangle covers, in lowest terms. Made once for each of
+  /// many triangles it sorts them without making them anew for every comparison.
+  mpq_class exact_inverse_depth(const SampleTriangle& triangle, double a, double b);
 
   /// The float nearest to the exact eye depth at a sample that the triangle covers (ties to even; the
   /// greatest float where that would be infinity).
