@@ -46,6 +46,7 @@ struct Traits {
   std::string_view transparency;  ///< what happens to it
   std::string_view cycles;        ///< what happens where triangles overlap in a cycle or cross
   bool exact;                     ///< equals the exact answer in its default settings
+  bool paints_faces = false;      ///< fills Frame::faces
   bool keeps_lists = false;       ///< fills Frame::lists
   bool antialiased = false;       ///< a colour stands for the whole pixel, not for its centre
 };

@@ -17,6 +17,14 @@ inline constexpr Skip between_centres_skip = {
 inline constexpr Skip hidden_skip = {
     "hidden", "fragments behind an opaque one are not kept where nobody asks for lists"};
 
+/// The options for an algorithm that is asked for the faces that it paints: of those between pixel
+/// centres too.
+inline RenderOptions options_for_faces(const RenderOptions& options, const Frame& frame) {
+  RenderOptions changed = options;
+  if (frame.faces) changed.skips_off.insert(std::string(between_centres_skip.name));
+  return changed;
+}
+
 /// Sets up the view's triangles as the options allow and reports what was left out. Samples lie no
 /// farther than `sample_reach` pixels from the centre of theirs, right, left, up or down.
 inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options, RenderReport& report,

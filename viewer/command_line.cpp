@@ -122,7 +122,10 @@ void add_render(CLI::App& program, RenderCommand& command) {
       "The algorithm and its settings, such as zbuffer or zbuffer[depth=unorm16,snap=4] (hsr list "
       "algorithms, hsr list settings; default " +
           std::string(default_algorithm().name) + ").");
-  add_file(app, "-o,--output", "F.png", command.png, "Write the picture over the backdrop, in sRGB.");
+  add_file(
+      app, "-o,--output", "F.png|F.svg", command.png,
+      "Write the picture over the backdrop, in sRGB; as vector graphics where the algorithm paints whole "
+      "faces (painter, newell).");
   add_file(
       app, "--layers", "F.exr", command.layers,
       "Write linear R, G, B, A (premultiplied), Z (eye depth, infinite for background) and id (primitive "

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frame/fragment_lists.h"
+#include "frame/painted_faces.h"
 #include "scene/scene.h"
 
 namespace hsr {
@@ -36,6 +37,8 @@ struct Frame {
   std::vector<std::uint32_t> id;  ///< primitive id; background_id where nothing is shown
   /// Set by whoever wants them, and filled by algorithms that keep every fragment; else left empty.
   std::optional<FragmentLists> lists;
+  /// Set by whoever wants them, and filled by algorithms that paint whole faces: in paint order.
+  std::optional<std::vector<PaintedFace>> faces;
 };
 
 }  // namespace hsr

@@ -72,10 +72,11 @@ std::array<bool, 6> chosen_tests(std::string_view setting) {
 }
 
 /// Where each triangle that may be painted stands in set_up.triangles, by id; background_id for others.
-std::vector<std::uint32_t> places_by_id(const View& view, const ScreenTriangles& set_up) {
+std::vector<std::uint32_t> places_by_id(const View& view, const ScreenTriangles& set_up,
+                                        bool between_centres) {
   std::vector<std::uint32_t> places(view.scene->triangles.size(), background_id);
   for (std::uint32_t place = 0; place < set_up.triangles.size(); ++place) {
-    if (!set_up.boxes[place].empty()) places[set_up.triangles[place].id] = place;
+    if (between_centres || !set_up.boxes[place].empty()) places[set_up.triangles[place].id] = place;
   }
   return places;
 }
@@ -110,8 +111,8 @@ class Newell : public Renderer {
   template <class Trace>
   RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
-    const ScreenTriangles set_up = set_up_with_skips(view, options, report);
-    const std::vector<std::uint32_t> places = places_by_id(view, set_up);
+    const ScreenTriangles set_up = set_up_with_skips(view, options_for_faces(options, frame), report);
+    const std::vector<std::uint32_t> places = places_by_id(view, set_up, frame.faces.has_value());
     RegionPredicates predicates(projection_of(view), *view.scene, method_);
     const std::vector<WholeFace> faces = painted_faces(whole_faces(*view.scene, predicates, whole_), places);
 
@@ -123,6 +124,7 @@ class Newell : public Renderer {
     // 8. Paint in that order.
     const PaintSteps steps = paint_steps(order, faces, places);
     paint_in_order(view, set_up, steps.order, steps.pieces, colors_, options, trace, report, frame);
+    if (frame.faces) frame.faces = outlined(order, faces, view);
     add_counters(order, tests, predicates, report);
     return report;
   }
@@ -148,6 +150,20 @@ class Newell : public Renderer {
       }
     }
     return steps;
+  }
+
+  template <class Trace>
+  std::vector<PaintedFace> outlined(const PaintOrder<Trace>& order, const std::vector<WholeFace>& faces,
+                                    const View& view) const {
+    std::vector<PaintedFace> painted;
+    for (const std::uint32_t index : order.order()) {
+      const Piece& piece = order.pieces()[index];
+      if (piece.region.vertices.size() < 3) continue;  // it only touches the picture's border
+      const WholeFace& face = faces[piece.face];
+      painted.push_back({face.triangles, piece.number, colors_[face.plane()],
+                         raster_outline(piece.region, view.width, view.height)});
+    }
+    return painted;
   }
 
   template <class Trace>
@@ -191,7 +207,8 @@ const Algorithm& newell_algorithm() {
                  .memory = "outlines of all faces and pieces",
                  .transparency = "blended back to front",
                  .cycles = "cut and right",
-                 .exact = true},
+                 .exact = true,
+                 .paints_faces = true},
       .settings = settings,
       .skips = skips,
       .prepare = prepare,

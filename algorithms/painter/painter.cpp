@@ -19,6 +19,7 @@
 #include <numeric>
 
 #include "painting.h"
+#include "predicates/region_predicates.h"
 #include "skips.h"
 #include "trace/trace.h"
 #include "view/shading.h"
@@ -52,6 +53,20 @@ double sort_key(const View& view, const Corners& corner, std::string_view key) {
   return *std::ranges::max_element(depth);
 }
 
+std::vector<PaintedFace> painted_faces(const View& view, const ScreenTriangles& set_up,
+                                       const std::vector<std::uint32_t>& order,
+                                       const std::vector<glm::vec4>& colors) {
+  RegionPredicates predicates(projection_of(view), *view.scene, SignMethod::exact);
+  std::vector<PaintedFace> faces;
+  for (const std::uint32_t place : order) {
+    const std::uint32_t id = set_up.triangles[place].id;
+    const Region region = predicates.region(id);
+    if (region.vertices.size() < 3) continue;  // it only touches the picture's border
+    faces.push_back({{id}, 0, colors[id], raster_outline(region, view.width, view.height)});
+  }
+  return faces;
+}
+
 class Painter : public Renderer {
  public:
   Painter(const Scene& scene, const Settings& chosen, int threads)
@@ -69,7 +84,7 @@ class Painter : public Renderer {
   template <class Trace>
   RenderReport run(const View& view, const RenderOptions& options, const Trace& trace, Frame& frame) {
     RenderReport report;
-    const ScreenTriangles set_up = set_up_with_skips(view, options, report);
+    const ScreenTriangles set_up = set_up_with_skips(view, options_for_faces(options, frame), report);
 
     // 1. Give every triangle one number.
     std::vector<double> keys(set_up.triangles.size());
@@ -98,6 +113,7 @@ class Painter : public Renderer {
 
     // 3. Paint in that order.
     paint_in_order(view, set_up, order, {}, colors_, options, trace, report, frame);
+    if (frame.faces) frame.faces = painted_faces(view, set_up, order, colors_);
     report.bytes += keys.size() * (sizeof(double) + 2 * sizeof(std::uint32_t));
     return report;
   }
@@ -123,7 +139,8 @@ const Algorithm& painter_algorithm() {
                  .memory = "a key and an index per triangle",
                  .transparency = "blended in paint order",
                  .cycles = "wrong",
-                 .exact = false},
+                 .exact = false,
+                 .paints_faces = true},
       .settings = settings,
       .skips = skips,
       .prepare = prepare,

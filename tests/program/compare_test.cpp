@@ -4,6 +4,7 @@
 #include <string>
 
 #include "algorithm.h"
+#include "failures/cause.h"
 #include "scene/catalog.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
@@ -44,7 +45,13 @@ TEST_CASE("program: compare counts errors of what is wrong and none of what is e
     CHECK(row["depth_error"]["p99"].get<double>() <= row["depth_error"]["max"].get<double>());
     CHECK(row["color"]["rmse"].get<double>() <= row["color"]["max"].get<double>());
     CHECK(row["time_ms"].get<double>() > 0.0);
-    CHECK(row.at("causes").is_null());
+    CHECK(row.at("causes").size() == hsr::cause_count);
+    int failing = 0;
+    for (const auto& [cause, pixels] : row.at("causes").items()) {
+      if (cause != "transparency unsorted") failing += pixels.get<int>();
+    }
+    CHECK(failing == row["wrong"].get<int>());
+    CHECK(row.at("worst_pairs").empty() == (failing == 0));
     for (const char* name : {"missing", "extra", "inversions"}) {
       CHECK(row.at(name) == (algorithm.traits.keeps_lists ? Json(0) : Json()));
     }

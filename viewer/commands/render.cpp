@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "frame/deep_image.h"
 #include "frame/write_image.h"
+#include "frame/write_svg.h"
 #include "lists_by_rows.h"
 #include "output_file.h"
 #include "picture.h"
@@ -32,11 +33,29 @@ void require_lists(const RenderCommand& command) {
                    " keeps no depth lists; those that do: " + names);
 }
 
+bool is_vector(const std::optional<std::filesystem::path>& file) {
+  if (!file) return false;
+  const std::string ending = file->extension().string();
+  return ending == ".svg" || ending == ".SVG";
+}
+
+/// Throws UsageError unless vector graphics can be made of what the algorithm paints.
+void require_faces(const RenderCommand& command) {
+  if (command.algorithm.algorithm->traits.paints_faces) return;
+  std::string names;
+  for (const Algorithm* algorithm : algorithm_catalog()) {
+    if (algorithm->traits.paints_faces) names.append(names.empty() ? "" : ", ").append(algorithm->name);
+  }
+  throw UsageError("--output: " + std::string(command.algorithm.algorithm->name) +
+                   " paints no whole faces, so there is no .svg of them; those that do: " + names);
+}
+
 void check_outputs(const RenderCommand& command) {
   for (const auto& file : {command.png, command.layers, command.deep, command.statistics}) {
     if (file) require_place(*file);
   }
-  if (command.png) require_ending("--output", *command.png, {".png"});
+  if (command.png) require_ending("--output", *command.png, {".png", ".svg"});
+  if (is_vector(command.png)) require_faces(command);
   if (command.layers) require_ending("--layers", *command.layers, {".exr"});
   if (command.deep) require_lists(command);
   if (command.deep && command.deep == command.layers) {
@@ -50,12 +69,13 @@ void check_outputs(const RenderCommand& command) {
 
 /// Renders the view `repeats` times, each time into a frame of its own. Only rendering is timed.
 RenderReport render_repeatedly(Renderer& renderer, const View& view, const RenderOptions& options,
-                               int repeats, Frame& frame, double& least_ms) {
+                               int repeats, bool faces, Frame& frame, double& least_ms) {
   RenderReport report;
   least_ms = std::numeric_limits<double>::infinity();
   for (int repeat = 0; repeat < repeats; ++repeat) {
     frame = Frame();  // gives the memory back before as much is taken again
     frame = Frame(view.width, view.height);
+    if (faces) frame.faces.emplace();
     const Stopwatch stopwatch;
     report = renderer.render(view, options, frame);
     least_ms = std::min(least_ms, stopwatch.milliseconds());
@@ -76,7 +96,11 @@ void write_deep(const RenderCommand& command, Renderer& renderer, const View& vi
 
 void write_files(const RenderCommand& command, const Frame& frame, const Statistics& statistics,
                  const Progress& progress) {
-  if (command.png) write_png(frame, command.backdrop, *command.png, progress);
+  if (frame.faces) {
+    write_svg(*frame.faces, frame.width, frame.height, command.backdrop, *command.png, progress);
+  } else if (command.png) {
+    write_png(frame, command.backdrop, *command.png, progress);
+  }
   if (command.layers) write_exr_layers(frame, *command.layers, progress);
   if (command.statistics) {
     write_file_atomically(*command.statistics, [&](const std::filesystem::path& temporary) {
@@ -136,7 +160,8 @@ void run(const RenderCommand& command, std::ostream& out) {
 
   Frame frame;
   double render_ms = 0.0;
-  const RenderReport report = render_repeatedly(*renderer, view, options, command.repeats, frame, render_ms);
+  const RenderReport report =
+      render_repeatedly(*renderer, view, options, command.repeats, is_vector(command.png), frame, render_ms);
 
   const Statistics statistics = {
       &command.algorithm,  &view,      &report,  loaded.warnings, command.picture.threads, command.repeats,
