@@ -68,6 +68,22 @@ TEST_CASE("painter: separate depths are painted right, whatever the file order")
   CHECK(errors.color->max < 1e-6);
 }
 
+TEST_CASE("painter: of transparent triangles at one depth the lowest id counts and is shown") {
+  hsr::Scene scene;
+  scene.materials = {{"red", {1.0F, 0.0F, 0.0F}, 0.5F}, {"green", {0.0F, 1.0F, 0.0F}, 0.5F}};
+  for (const std::uint32_t material : {1U, 0U, 1U}) {
+    hsr::test::add_triangle(scene, {glm::vec3(-40, -30, 0), glm::vec3(40, -30, 0), glm::vec3(0, 40, 0)});
+    scene.triangles.back().material = material;
+  }
+  for (const char* spec : {"painter", "none", "newell"}) {
+    CAPTURE(spec);
+    const hsr::Frame frame = hsr::test::render(hsr::test::front_view(scene, 3, 3, 6.0), spec);
+    CHECK(frame.id[4] == 0);
+    CHECK(frame.color[4].a == 0.5F);
+    CHECK(frame.color[4].r == 0.0F);
+  }
+}
+
 TEST_CASE("painter: transparent triangles blend from far to near") {
   hsr::Scene scene;
   scene.materials = {{"glass", {1.0F, 0.0F, 0.0F}, 0.5F}, {"wall", {0.0F, 1.0F, 0.0F}, 1.0F}};

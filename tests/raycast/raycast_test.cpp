@@ -180,3 +180,25 @@ TEST_CASE("raycast: eye rays start at the eye and run through the sample, within
   CHECK(clip.x / clip.w == doctest::Approx((2 * 10 + 1 - 64) / 64.0));
   CHECK(clip.y / clip.w == doctest::Approx((48 - 2 * 7 - 1) / 48.0));
 }
+
+TEST_CASE("raycast: transparent surfaces blend front to back, whatever the structure and the test") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("glass");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 64, 48);
+  for (const char* spec : {"raycast", "raycast[structure=grid]", "raycast[structure=none]",
+                           "raycast[test=watertight]", "raycast[test=moller-trumbore]"}) {
+    CAPTURE(spec);
+    CHECK(hsr::test::errors_of(view, spec).color->max < 1e-6);
+  }
+}
+
+TEST_CASE("raycast: lists hold each triangle once, though the cells of a grid share it") {
+  const std::optional<hsr::Scene> scene = hsr::make_built_in_scene("crossing");
+  REQUIRE(scene);
+  const hsr::View view = hsr::make_view(*scene, *scene->camera, 40, 30);
+  const hsr::Frame wanted = hsr::test::render_with_lists(view, "depthlist");
+  hsr::RenderOptions options;
+  options.skips_off = {"repeated"};
+  const hsr::Frame got = hsr::test::render_with_lists(view, "raycast[structure=grid]", options);
+  CHECK(got.lists->begin == wanted.lists->begin);
+}
