@@ -16,22 +16,44 @@ bool covers(std::uint32_t mask, std::size_t sample) { return ((mask >> sample) &
 glm::vec4 PixelBlend::color(std::span<const PixelFragment> fragments, double a, double b) {
   const bool all_opaque = std::ranges::all_of(
       fragments, [&](const PixelFragment& fragment) { return surface(fragment.index).a >= 1.0F; });
-  if (intersections_ != Intersections::by_sample) rank(fragments, a, b);
-  glm::vec4 sum(0.0F);
+  if (intersections_ != Intersections::by_sample) {
+    rank(fragments, a, b);
+  } else if (const SampleTriangle* only = seen_alone(fragments, a, b)) {
+    return colors_[only->id];
+  }
+  // In double the sum of so few floats is exact, so the mean of equal colours is that colour.
+  glm::dvec4 sum(0.0);
   for (std::size_t sample = 0; sample < pattern_.size(); ++sample) {
     const double sample_a = a + pattern_.a(sample);
     const double sample_b = b + pattern_.b(sample);
     if (intersections_ != Intersections::by_sample) {
       order_by_rank(sample, sample_a, sample_b);
-      sum += blended_by_rank();
+      sum += glm::dvec4(blended_by_rank());
     } else if (all_opaque) {
-      sum += nearest_color(fragments, sample, sample_a, sample_b);
+      sum += glm::dvec4(nearest_color(fragments, sample, sample_a, sample_b));
     } else {
       order_exactly(fragments, sample, sample_a, sample_b);
-      sum += composited(exact_, set_up_, colors_);
+      sum += glm::dvec4(composited(exact_, set_up_, colors_));
     }
   }
-  return sum / static_cast<float>(pattern_.size());
+  return glm::vec4(sum / static_cast<double>(pattern_.size()));
+}
+
+// Inside a large face there is one that is opaque, fills the pixel and surely lies before all others.
+const SampleTriangle* PixelBlend::seen_alone(std::span<const PixelFragment> fragments, double a,
+                                             double b) const {
+  const SampleTriangle* nearest = nullptr;
+  for (const PixelFragment& fragment : fragments) {
+    if (fragment.coverage.mask != pattern_.full() || surface(fragment.index).a < 1.0F) continue;
+    const SampleTriangle& triangle = set_up_.triangles[fragment.index];
+    if (nearest == nullptr || surely_nearer(triangle, *nearest, a, b)) nearest = &triangle;
+  }
+  if (nearest == nullptr) return nullptr;
+  const bool alone = std::ranges::all_of(fragments, [&](const PixelFragment& fragment) {
+    const SampleTriangle& other = set_up_.triangles[fragment.index];
+    return &other == nearest || surely_nearer(*nearest, other, a, b);
+  });
+  return alone ? nearest : nullptr;
 }
 
 // The same as sorting, where the first is all that is seen.

@@ -47,6 +47,7 @@ class PixelBlend {
 
  private:
   const glm::vec4& surface(std::uint32_t index) const { return colors_[set_up_.triangles[index].id]; }
+  const SampleTriangle* seen_alone(std::span<const PixelFragment> fragments, double a, double b) const;
   void rank(std::span<const PixelFragment> fragments, double a, double b);
   void order_exactly(std::span<const PixelFragment> fragments, std::size_t sample, double a, double b);
   void order_by_rank(std::size_t sample, double a, double b);
