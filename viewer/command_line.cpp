@@ -163,6 +163,9 @@ void add_compare(CLI::App& program, CompareCommand& command) {
       },
       "Algorithms with their settings, such as zbuffer,painter[key=mean], or all (the default).");
   add_file(app, "--json", "F.json", command.json, "Write all figures.");
+  add_file(app, "--heatmap", "DIR", command.heatmaps,
+           "Write pictures with legends into a folder: wrong pixels by cause and overdraw of each algorithm, "
+           "depth and list length of the scene.");
   app.footer("Example: hsr compare crossing -a zbuffer,zbuffer[depth=unorm16],painter");
 }
 

@@ -46,6 +46,7 @@ struct CompareCommand {
   PictureOptions picture;
   std::vector<AlgorithmSpec> algorithms;
   std::optional<std::filesystem::path> json;
+  std::optional<std::filesystem::path> heatmaps;  ///< a folder
 };
 
 struct ExportCommand {

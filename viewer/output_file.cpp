@@ -35,4 +35,13 @@ void require_place(const std::filesystem::path& file) {
   throw InputError("cannot write " + file.string() + ": there is no folder " + folder.string());
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw InputError("cannot make the folder " + folder.string() +
+                     (error ? ": " + error.message() : ": a file has its name"));
+  }
+}
+
 }  // namespace hsr

@@ -15,4 +15,7 @@ void require_ending(std::string_view option, const std::filesystem::path& file,
 /// now than after minutes of work.
 void require_place(const std::filesystem::path& file);
 
+/// Makes the folder, and those that it stands in, if it is not there. Throws InputError if that fails.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace hsr

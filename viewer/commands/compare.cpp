@@ -5,6 +5,7 @@
 #include "comparison.h"
 #include "exact/exact_colors.h"
 #include "exact/sampled_colors.h"
+#include "heatmaps.h"
 #include "lists_by_rows.h"
 #include "output_file.h"
 #include "picture.h"
@@ -42,7 +43,7 @@ exact::ListErrors list_errors(Renderer& renderer, const View& view, const Render
 }
 
 ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const RenderOptions& options,
-                              const Truth& truth) {
+                              const Truth& truth, const std::optional<std::filesystem::path>& heatmaps) {
   ComparedAlgorithm compared;
   compared.algorithm = spec;
   const Stopwatch prepare;
@@ -58,6 +59,7 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
   OrderingFailures failures =
       find_failures(view, spec, options, frame, truth.answer, truth.nearest, truth.colors);
   compared.causes = failures.pixels;
+  if (heatmaps) write_algorithm_heatmaps(view, spec, frame, failures, options, *heatmaps);
   constexpr std::size_t most_pairs = 3;
   failures.pairs.resize(std::min(failures.pairs.size(), most_pairs));
   compared.worst_pairs = std::move(failures.pairs);
@@ -69,6 +71,7 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
 
 void run(const CompareCommand& command, std::ostream& out) {
   if (command.json) require_place(*command.json);
+  if (command.heatmaps) make_folder(*command.heatmaps);
   const PictureOptions& picture = command.picture;
   ProgressBar bar;
   const LoadedScene loaded = load_scene(picture.scene, bar);
@@ -81,10 +84,14 @@ void run(const CompareCommand& command, std::ostream& out) {
   Comparison comparison = {
       loaded.scene.name,       loaded.scene.triangles.size(), view.width, view.height, truth.nearest.covered,
       truth.nearest.decisions, stopwatch.milliseconds(),      {}};
+  if (command.heatmaps) {
+    write_scene_heatmaps(view, truth.answer, truth.nearest, {picture.threads, {}, bar.listener()},
+                         *command.heatmaps);
+  }
   const auto skips_off = chosen_skips(picture.skips_off, command.algorithms);
   for (const AlgorithmSpec& spec : command.algorithms) {
     const RenderOptions options = {picture.threads, skips_off, bar.listener(spec.text())};
-    comparison.algorithms.push_back(compare_one(spec, view, options, truth));
+    comparison.algorithms.push_back(compare_one(spec, view, options, truth, command.heatmaps));
   }
   bar.erase();
   if (command.json) {
@@ -94,6 +101,7 @@ void run(const CompareCommand& command, std::ostream& out) {
   }
   out << to_text(comparison);
   if (command.json) out << "\nWrote " << command.json->string() << ".\n";
+  if (command.heatmaps) out << "\nWrote pictures into " << command.heatmaps->string() << ".\n";
 }
 
 }  // namespace hsr
