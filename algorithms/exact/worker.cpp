@@ -207,6 +207,24 @@ DepthLists Worker::depth_lists(int first_row, int last_row) {
   return lists;
 }
 
+std::vector<Fragment> Worker::depth_list(int i, int j) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t id = 0; id < triangles_.size(); ++id) {
+    if (covers(id, i, j)) ids.push_back(id);
+  }
+  std::ranges::sort(ids, [&](std::uint32_t p, std::uint32_t q) {
+    const int order = compare_depth(p, q, i, j);
+    return order != 0 ? order < 0 : p < q;
+  });
+  std::vector<Fragment> list;
+  list.reserve(ids.size());
+  for (const std::uint32_t id : ids) {
+    const bool tied = !list.empty() && compare_depth(list.back().id, id, i, j) == 0;
+    list.push_back({id, depth(id, i, j), tied});
+  }
+  return list;
+}
+
 double Worker::depth(std::uint32_t id, int i, int j) {
   const int sample_a = 2 * i + 1 - view_.width;
   const int sample_b = view_.height - 2 * j - 1;

@@ -26,6 +26,8 @@ class Worker {
   std::uint64_t nearest(int first_row, int last_row, Nearest& answer);
   /// The whole depth lists of rows first_row ... last_row - 1.
   DepthLists depth_lists(int first_row, int last_row);
+  /// The whole depth list of pixel (i, j).
+  std::vector<Fragment> depth_list(int i, int j);
   /// Whether triangle `id` covers the centre of pixel (i, j).
   bool covers(std::uint32_t id, int i, int j);
   /// -1, 0 or 1 as triangle p is nearer than, exactly as near as, or farther than q at the centre of

@@ -2,20 +2,18 @@
 
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "algorithm.h"
-#include "scene/catalog.h"
 #include "support/picture_text.h"
 #include "support/render.h"
-#include "support/small_scenes.h"
+#include "support/trace.h"
 #include "trace/trace.h"
 
 namespace {
 
-using hsr::test::every_setting;
 using hsr::test::render;
 
 static_assert(std::is_empty_v<hsr::NoTrace> && !hsr::NoTrace::active,
@@ -45,58 +43,45 @@ std::vector<hsr::Event> at_pixel(const std::vector<hsr::Event>& events, int i, i
   return found;
 }
 
-template <class Check>
-void for_each_spec(const std::vector<const char*>& scenes, int width, int height, Check check) {
-  for (const char* name : scenes) {
-    const std::optional<hsr::Scene> scene = hsr::make_built_in_scene(name);
-    REQUIRE(scene);
-    const hsr::View view = hsr::make_view(*scene, *scene->camera, width, height);
-    for (const hsr::Algorithm* algorithm : hsr::algorithm_catalog()) {
-      for (const std::string& spec : every_setting(*algorithm)) {
-        CAPTURE(name);
-        CAPTURE(spec);
-        check(view, spec);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 TEST_CASE("properties: a trace makes the frame that a plain run makes, and tells steps") {
-  for_each_spec({"three-bars", "glass", "coplanar", "soup:120"}, 40, 30,
-                [](const hsr::View& view, const std::string& spec) {
-                  const TracedFrame traced = trace(view, spec);
-                  const std::string text = hsr::test::difference(traced.frame, render(view, spec));
-                  CHECK_MESSAGE(text.empty(), text);
-                  CHECK(traced.events.size() > 10);
-                });
+  hsr::test::for_each_traced({"three-bars", "glass", "coplanar", "soup:120"}, 40, 30,
+                             [](const hsr::View& view, const std::string& spec) {
+                               const TracedFrame traced = trace(view, spec);
+                               const std::string text =
+                                   hsr::test::difference(traced.frame, render(view, spec));
+                               CHECK_MESSAGE(text.empty(), text);
+                               CHECK(traced.events.size() > 10);
+                             });
 }
 
 TEST_CASE("properties: two traces of a view tell the same steps") {
-  for_each_spec({"three-bars", "glass"}, 24, 18, [](const hsr::View& view, const std::string& spec) {
-    CHECK(trace(view, spec).events == trace(view, spec).events);
-  });
+  hsr::test::for_each_traced({"three-bars", "glass"}, 24, 18,
+                             [](const hsr::View& view, const std::string& spec) {
+                               CHECK(trace(view, spec).events == trace(view, spec).events);
+                             });
 }
 
 TEST_CASE("properties: a trace in a window tells the window's steps, and those of no pixel") {
-  for_each_spec({"three-bars", "soup:60"}, 24, 18, [](const hsr::View& view, const std::string& spec) {
-    const TracedFrame whole = trace(view, spec);
-    hsr::RenderOptions options;
-    options.window = hsr::PixelBox{13, 13, 8, 8};
-    const TracedFrame one = trace(view, spec, options);
-    for (const hsr::Event& event : one.events) {
-      CHECK(((event.i == 13 && event.j == 8) || (event.i == -1 && event.j == -1)));
-    }
-    CHECK(at_pixel(one.events, 13, 8) == at_pixel(whole.events, 13, 8));
-    CHECK(at_pixel(one.events, -1, -1) == at_pixel(whole.events, -1, -1));
-    CHECK(one.frame.id[one.frame.index(13, 8)] == whole.frame.id[whole.frame.index(13, 8)]);
-    CHECK(one.frame.id[one.frame.index(12, 8)] == hsr::background_id);
-  });
+  hsr::test::for_each_traced(
+      {"three-bars", "soup:60"}, 24, 18, [](const hsr::View& view, const std::string& spec) {
+        const TracedFrame whole = trace(view, spec);
+        hsr::RenderOptions options;
+        options.window = hsr::PixelBox{13, 13, 8, 8};
+        const TracedFrame one = trace(view, spec, options);
+        for (const hsr::Event& event : one.events) {
+          CHECK(((event.i == 13 && event.j == 8) || (event.i == -1 && event.j == -1)));
+        }
+        CHECK(at_pixel(one.events, 13, 8) == at_pixel(whole.events, 13, 8));
+        CHECK(at_pixel(one.events, -1, -1) == at_pixel(whole.events, -1, -1));
+        CHECK(one.frame.id[one.frame.index(13, 8)] == whole.frame.id[whole.frame.index(13, 8)]);
+        CHECK(one.frame.id[one.frame.index(12, 8)] == hsr::background_id);
+      });
 }
 
 TEST_CASE("properties: steps at pixels are about pixels of the picture and triangles of the scene") {
-  for_each_spec({"three-bars"}, 24, 18, [](const hsr::View& view, const std::string& spec) {
+  hsr::test::for_each_traced({"three-bars"}, 24, 18, [](const hsr::View& view, const std::string& spec) {
     for (const hsr::Event& event : trace(view, spec).events) {
       REQUIRE((event.i == -1) == (event.j == -1));
       REQUIRE(event.i < 24);
