@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -110,18 +111,23 @@ void add_view(CLI::App& program, ViewCommand& command) {
       "The viewer is also what hsr alone opens. F1 shows its keys.\n\nExample: hsr view teapot -a painter");
 }
 
-void add_render(CLI::App& program, RenderCommand& command) {
-  CLI::App& app = *program.add_subcommand("render", "Make one image of a scene with one algorithm.");
-  add_picture(app, command.picture);
-  command.algorithm = parse_algorithm_spec(default_algorithm().name);
+/// The option -a for a subcommand that takes one algorithm.
+void add_algorithm(CLI::App& app, AlgorithmSpec& algorithm) {
+  algorithm = parse_algorithm_spec(default_algorithm().name);
   add_value(
       app, "-a,--algorithm", "SPEC",
-      [&command](const auto& option, const auto& text) {
-        command.algorithm = with_option_named(option, [&] { return parse_algorithm_spec(text); });
+      [&algorithm](const auto& option, const auto& text) {
+        algorithm = with_option_named(option, [&] { return parse_algorithm_spec(text); });
       },
       "The algorithm and its settings, such as zbuffer or zbuffer[depth=unorm16,snap=4] (hsr list "
       "algorithms, hsr list settings; default " +
           std::string(default_algorithm().name) + ").");
+}
+
+void add_render(CLI::App& program, RenderCommand& command) {
+  CLI::App& app = *program.add_subcommand("render", "Make one image of a scene with one algorithm.");
+  add_picture(app, command.picture);
+  add_algorithm(app, command.algorithm);
   add_file(
       app, "-o,--output", "F.png|F.svg", command.png,
       "Write the picture over the backdrop, in sRGB; as vector graphics where the algorithm paints whole "
@@ -167,6 +173,83 @@ void add_compare(CLI::App& program, CompareCommand& command) {
            "Write pictures with legends into a folder: wrong pixels by cause and overdraw of each algorithm, "
            "depth and list length of the scene.");
   app.footer("Example: hsr compare crossing -a zbuffer,zbuffer[depth=unorm16],painter");
+}
+
+/// What must wait until the size of the picture is known.
+struct PlaceTexts {
+  std::string x;
+  std::string y;
+  std::optional<std::string> pixel;
+  std::optional<std::string> window;
+};
+
+void add_pixel(CLI::App& program, PixelCommand& command, PlaceTexts& texts) {
+  CLI::App& app = *program.add_subcommand(
+      "pixel", "Say what lies behind one pixel, what an algorithm did there, and why it has its colour.");
+  add_picture(app, command.picture);
+  app.add_option("X", texts.x, "The pixel's column, from 0 at the left.")->required()->type_name("");
+  app.add_option("Y", texts.y, "The pixel's row, from 0 at the top.")->required()->type_name("");
+  add_algorithm(app, command.algorithm);
+  add_file(app, "--json", "F.json", command.json, "Write all of it, whole lists included.");
+  app.footer("Example: hsr pixel crossing 640 300 -a painter");
+}
+
+void add_trace(CLI::App& program, TraceCommand& command, PlaceTexts& texts) {
+  CLI::App& app = *program.add_subcommand("trace", "Tell the steps of an algorithm, one sentence for each.");
+  add_picture(app, command.picture);
+  add_algorithm(app, command.algorithm);
+  add_value(
+      app, "--pixel", "X,Y", [&texts](const auto&, const auto& text) { texts.pixel = text; },
+      "Only steps at this pixel, and those about the triangles there.");
+  add_value(
+      app, "--window", "X,Y,W,H", [&texts](const auto&, const auto& text) { texts.window = text; },
+      "Only steps at the pixels of this window: its upper left pixel, width and height.");
+  add_value(
+      app, "--face", "ID",
+      [&command](const auto& option, const auto& text) {
+        command.face =
+            static_cast<std::uint32_t>(parse_whole_number(option, text, 0, std::numeric_limits<int>::max()));
+      },
+      "Only steps about the triangles of this face (a polygon of the file, counted from 0).");
+  const auto step = [&](const char* name, std::optional<std::uint64_t>& value, const char* help) {
+    add_value(
+        app, name, "K",
+        [&value](const auto& option, const auto& text) {
+          value = parse_count(option, text);
+          if (*value == 0) throw UsageError(option + ": steps are counted from 1");
+        },
+        help);
+  };
+  step("--from", command.from, "The first step to tell, counted from 1.");
+  step("--to", command.to, "The last step to tell.");
+  add_file(app, "--jsonl", "F.jsonl", command.jsonl, "Write every step, a JSON object on each line.");
+  add_file(app, "--gif", "F.gif", command.gif, "Write an animation of the picture while the steps are made.");
+  command.backdrop = parse_color("--backdrop", "#eeeeee");
+  add_value(
+      app, "--backdrop", "COLOUR",
+      [&command](const auto& option, const auto& text) { command.backdrop = parse_color(option, text); },
+      "What the animation shows behind the scene (default #eeeeee).");
+  app.footer("Example: hsr trace three-bars -a painter --pixel 640,360");
+}
+
+/// The parts of the commands that depend on the size of the picture. Throws UsageError.
+void finish(PixelCommand& command, const PlaceTexts& texts) {
+  const Size size = command.picture.size;
+  (void)chosen_skips(command.picture.skips_off, {&command.algorithm, 1});
+  command.pixel.i = parse_whole_number("X", texts.x, 0, size.width - 1);
+  command.pixel.j = parse_whole_number("Y", texts.y, 0, size.height - 1);
+}
+
+void finish(TraceCommand& command, const PlaceTexts& texts) {
+  const Size size = command.picture.size;
+  (void)chosen_skips(command.picture.skips_off, {&command.algorithm, 1});
+  if (texts.pixel && texts.window) throw UsageError("--pixel and --window cannot both be given");
+  if (texts.pixel) command.window = parse_pixel("--pixel", *texts.pixel, size);
+  if (texts.window) command.window = parse_window("--window", *texts.window, size);
+  if (command.from && command.to && *command.from > *command.to) {
+    throw UsageError("--to: " + std::to_string(*command.to) + " lies before --from, which is " +
+                     std::to_string(*command.from));
+  }
 }
 
 void add_export(CLI::App& program, ExportCommand& command) {
@@ -232,11 +315,17 @@ Command parse_command_line(int argc, const char* const* argv) {
   ViewCommand view;
   RenderCommand render;
   CompareCommand compare;
+  PixelCommand pixel;
+  PlaceTexts pixel_texts;
+  TraceCommand trace;
+  PlaceTexts trace_texts;
   ExportCommand export_command;
   ListCommand list;
   add_view(program, view);
   add_render(program, render);
   add_compare(program, compare);
+  add_pixel(program, pixel, pixel_texts);
+  add_trace(program, trace, trace_texts);
   add_export(program, export_command);
   add_list(program, list);
   require_known_subcommand(program, argc, argv);
@@ -256,6 +345,14 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (program.got_subcommand("compare")) {
     (void)chosen_skips(compare.picture.skips_off, compare.algorithms);
     return compare;
+  }
+  if (program.got_subcommand("pixel")) {
+    finish(pixel, pixel_texts);
+    return pixel;
+  }
+  if (program.got_subcommand("trace")) {
+    finish(trace, trace_texts);
+    return trace;
   }
   if (program.got_subcommand("export")) return export_command;
   if (program.got_subcommand("list")) return list;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "algorithm.h"
+#include "predicates/pixel_box.h"
 #include "values.h"
 
 namespace hsr {
@@ -49,6 +51,31 @@ struct CompareCommand {
   std::optional<std::filesystem::path> heatmaps;  ///< a folder
 };
 
+/// A pixel of the picture: column and row from the upper left corner, from 0.
+struct PixelPlace {
+  int i = 0;
+  int j = 0;
+};
+
+struct PixelCommand {
+  PictureOptions picture;
+  PixelPlace pixel;
+  AlgorithmSpec algorithm;
+  std::optional<std::filesystem::path> json;
+};
+
+struct TraceCommand {
+  PictureOptions picture;
+  AlgorithmSpec algorithm;
+  std::optional<PixelBox> window;     ///< which pixels; all if not given
+  std::optional<std::uint32_t> face;  ///< only steps about its triangles
+  std::optional<std::uint64_t> from;  ///< steps are counted from 1
+  std::optional<std::uint64_t> to;
+  std::optional<std::filesystem::path> jsonl;
+  std::optional<std::filesystem::path> gif;
+  glm::vec3 backdrop{1.0F};  ///< linear RGB
+};
+
 struct ExportCommand {
   std::string scene;
   std::filesystem::path output;
@@ -73,7 +100,7 @@ struct ShowText {
 };
 
 /// What the user wants done.
-using Command =
-    std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, ExportCommand, ListCommand>;
+using Command = std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
+                             ExportCommand, ListCommand>;
 
 }  // namespace hsr

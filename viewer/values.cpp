@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -31,6 +32,26 @@ std::optional<Number> read(std::string_view text, Format... format) {
 std::optional<double> read_finite(std::string_view text) {
   const std::optional<double> number = read<double>(text);
   return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+/// `count` whole numbers separated by commas; nothing if `text` is anything else.
+template <std::size_t count>
+std::optional<std::array<int, count>> read_whole_numbers(std::string_view text) {
+  std::array<int, count> numbers{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t comma = k + 1 < count ? text.find(',') : text.size();
+    if (comma == std::string_view::npos) return std::nullopt;
+    const std::optional<int> number = read<int>(text.substr(0, comma));
+    if (!number) return std::nullopt;
+    numbers[k] = *number;
+    if (k + 1 < count) text.remove_prefix(comma + 1);
+  }
+  return numbers;
+}
+
+std::string of_picture(Size size) {
+  return " of the picture, which has " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+         " pixels counted from 0,0";
 }
 
 /// Red, green and blue from 0 to 255 out of six hexadecimal digits, or three that each stand twice.
@@ -68,6 +89,36 @@ int parse_whole_number(std::string_view option, std::string_view text, int least
     refuse(option, text, "a whole number from " + std::to_string(least) + " to " + std::to_string(greatest));
   }
   return *number;
+}
+
+std::uint64_t parse_count(std::string_view option, std::string_view text) {
+  const std::optional<std::uint64_t> number = read<std::uint64_t>(text);
+  if (!number) {
+    refuse(option, text,
+           "a whole number from 0 to " + std::to_string(std::numeric_limits<std::uint64_t>::max()));
+  }
+  return *number;
+}
+
+PixelBox parse_pixel(std::string_view option, std::string_view text, Size size) {
+  const auto pixel = read_whole_numbers<2>(text);
+  if (pixel && 0 <= (*pixel)[0] && (*pixel)[0] < size.width && 0 <= (*pixel)[1] &&
+      (*pixel)[1] < size.height) {
+    return {(*pixel)[0], (*pixel)[0], (*pixel)[1], (*pixel)[1]};
+  }
+  refuse(option, text, "a pixel X,Y" + of_picture(size));
+}
+
+PixelBox parse_window(std::string_view option, std::string_view text, Size size) {
+  const auto window = read_whole_numbers<4>(text);
+  if (window) {
+    const auto [i, j, width, height] = *window;
+    if (0 <= i && 0 <= j && 1 <= width && 1 <= height && width <= size.width - i &&
+        height <= size.height - j) {
+      return {i, i + width - 1, j, j + height - 1};
+    }
+  }
+  refuse(option, text, "a window X,Y,WIDTH,HEIGHT" + of_picture(size));
 }
 
 glm::dvec3 parse_point(std::string_view option, std::string_view text) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <string_view>
+
+#include "predicates/pixel_box.h"
 
 namespace hsr {
 
@@ -25,6 +28,15 @@ struct Size {
 
 /// WIDTHxHEIGHT, each from 1 to greatest_size.
 Size parse_size(std::string_view option, std::string_view text);
+
+/// A whole number from 0 to the greatest of 64 bits.
+std::uint64_t parse_count(std::string_view option, std::string_view text);
+
+/// X,Y: a pixel of a picture of the given size, column and row from 0.
+PixelBox parse_pixel(std::string_view option, std::string_view text, Size size);
+
+/// X,Y,W,H: a window of such a picture, its upper left pixel, width and height.
+PixelBox parse_window(std::string_view option, std::string_view text, Size size);
 
 /// A colour in linear RGB from #rrggbb or #rgb (sRGB, hexadecimal), or black, gray, grey, white.
 glm::vec3 parse_color(std::string_view option, std::string_view text);

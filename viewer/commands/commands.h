@@ -15,6 +15,12 @@ void run(const RenderCommand& command, std::ostream& out);
 /// hsr compare: several algorithms against the exact answer.
 void run(const CompareCommand& command, std::ostream& out);
 
+/// hsr pixel: the depth list and the history of one pixel.
+void run(const PixelCommand& command, std::ostream& out);
+
+/// hsr trace: an algorithm's steps as sentences, data and an animation.
+void run(const TraceCommand& command, std::ostream& out);
+
 /// hsr export: the scene as triangles.
 void run(const ExportCommand& command, std::ostream& out);
 

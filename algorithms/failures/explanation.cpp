@@ -1,0 +1,165 @@
+// One sentence about a pixel's colour.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "failures/pixel_story.h"
+#include "trace/sentences.h"
+
+namespace hsr {
+
+namespace {
+
+std::string triangle(std::uint32_t id) { return "triangle " + std::to_string(id); }
+
+std::string capital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+std::string depth_of(const exact::Fragment& fragment) {
+  return tell_apart(fragment.depth, fragment.depth).value;
+}
+
+/// The sort key of a triangle among the steps; null if it was given none.
+const Event* key_of(const PixelStory& story, std::uint32_t id) {
+  const auto found = std::ranges::find_if(story.history.events, [&](const Event& event) {
+    return event.kind == EventKind::key_given && event.p == id;
+  });
+  return found == story.history.events.end() ? nullptr : &*found;
+}
+
+/// What is nearer about a triangle with the smaller sort key.
+std::string nearer_by_key(const AlgorithmSpec& algorithm) {
+  const auto key = algorithm.settings.find("key");
+  if (key == algorithm.settings.end()) return "its sort key is less";
+  if (key->second == "farthest") return "its farthest corner is nearer";
+  if (key->second == "nearest") return "its nearest corner is nearer";
+  if (key->second == "mean") return "the mean of its corners' depths is less";
+  return "its centroid is nearer to the eye";
+}
+
+/// Why p was painted after q.
+std::string why_painted_later(const AlgorithmSpec& algorithm, const PixelStory& story, std::uint32_t p,
+                              std::uint32_t q) {
+  const Event* const key_p = key_of(story, p);
+  const Event* const key_q = key_of(story, q);
+  if (key_p != nullptr && key_q != nullptr) {
+    const TwoNumbers keys = tell_apart(key_p->value, key_q->value);
+    if (key_p->value == key_q->value) return "their keys are equal and it comes later in the file";
+    return nearer_by_key(algorithm) + " (" + keys.value + " against " + keys.other + ")";
+  }
+  if (algorithm.algorithm->name == "none") return "it comes later in the file";
+  return "its place in the order is later";
+}
+
+/// What happened at the step at which the algorithm left the exact answer.
+std::string what_happened(const AlgorithmSpec& algorithm, const PixelStory& story) {
+  const Event& event = story.departure->event;
+  const TwoNumbers depth = tell_apart(event.value, event.other);
+  const std::string name(algorithm.algorithm->name);
+  const bool tied = static_cast<Order>(event.number) == Order::tied;
+  switch (event.kind) {
+    case EventKind::painted:
+      return name + " painted " + triangle(event.p) + " after " + triangle(event.q) + ", because " +
+             why_painted_later(algorithm, story, event.p, event.q);
+    case EventKind::depth_tested:
+      if (event.passed) {
+        return name + " took " + triangle(event.p) + ", as stored at " + depth.value + ", for nearer than " +
+               triangle(event.q) + ", as stored at " + depth.other;
+      }
+      if (tied) {
+        return triangle(event.p) + " and " + triangle(event.q) + " are stored at the same depth, " +
+               depth.value + ", so " + name + " kept the one that came first";
+      }
+      return name + " took " + triangle(event.p) + ", as stored at " + depth.value + ", for farther than " +
+             triangle(event.q) + ", as stored at " + depth.other;
+    case EventKind::triangle_tested:
+      if (!event.passed) return "the ray test of " + name + " missed " + triangle(event.p);
+      return "the ray test of " + name + " met " + triangle(event.p) + " at depth " + depth.value +
+             ", which was not the nearest that it computed";
+    case EventKind::nearest_replaced:
+      return "the ray test of " + name + " computed " + depth.value + " for " + triangle(event.p) + " and " +
+             depth.other + " for " + triangle(event.q);
+    default:
+      return capital(sentence(event));
+  }
+}
+
+/// Which triangle should be seen, and how deep both are.
+std::string what_is_right(const PixelStory& story) {
+  const exact::Fragment& nearest = story.list.front();
+  if (story.id == background_id) {
+    return triangle(nearest.id) + " lies here at depth " + depth_of(nearest);
+  }
+  const exact::Fragment* const shown = story.fragment_of(story.id);
+  if (shown == nullptr) {
+    return triangle(nearest.id) + " lies here at depth " + depth_of(nearest) + " and " + triangle(story.id) +
+           " does not cover the pixel's centre";
+  }
+  const TwoNumbers depth = tell_apart(nearest.depth, shown->depth);
+  return triangle(nearest.id) + " is nearer here than " + triangle(story.id) + ": " + depth.value +
+         " against " + depth.other;
+}
+
+std::string wrong(const AlgorithmSpec& algorithm, const PixelStory& story) {
+  if (!story.covered()) {
+    return "Wrong: " + triangle(story.id) + " is shown, although nothing covers the pixel's centre.";
+  }
+  const std::string shown = story.id == background_id ? "the background" : triangle(story.id);
+  if (!story.departure) {
+    return "Wrong: " + shown + " is shown, because " + std::string(algorithm.algorithm->name) +
+           " never found " + triangle(story.list.front().id) + " at the pixel's centre; " +
+           what_is_right(story) + ".";
+  }
+  return "Wrong: " + what_happened(algorithm, story) + ", although " + what_is_right(story) + ".";
+}
+
+std::size_t tied_with_nearest(const PixelStory& story) {
+  std::size_t count = 1;
+  while (count < story.list.size() && story.list[count].tied) ++count;
+  return count;
+}
+
+/// What is blended with the nearest, if anything shows through.
+std::string about_color(const AlgorithmSpec& algorithm, const PixelStory& story) {
+  // Half a step of eight bits is not seen.
+  constexpr float visible = 0.5F / 255.0F;
+  float difference = 0.0F;
+  for (int k = 0; k < 3; ++k) {
+    difference = std::max(difference, std::abs(story.color[k] - story.exact_color[k]));
+  }
+  if (difference > visible) {
+    return "; its colour differs by " + tell_apart(difference, difference).value +
+           " from the whole list blended in order (transparency: " +
+           std::string(algorithm.algorithm->traits.transparency) + ")";
+  }
+  return "";
+}
+
+std::string right(const AlgorithmSpec& algorithm, const PixelStory& story) {
+  if (!story.covered()) return "Nothing covers the pixel's centre, so the background is shown.";
+  const std::size_t tied = tied_with_nearest(story);
+  std::string text = capital(triangle(story.id)) + " is shown, at depth " + depth_of(story.list.front());
+  if (tied > 1) {
+    text += ", where it is exactly as near as " + std::to_string(tied - 1) +
+            (tied == 2 ? " other: either is right" : " others: each is right");
+  } else if (story.list.size() == 1) {
+    text += ", the only one here";
+  } else {
+    const exact::Fragment& next = story.list[1];
+    text += ", the nearest of " + std::to_string(story.list.size()) + " (the next is " + triangle(next.id) +
+            " at " + tell_apart(next.depth, story.list.front().depth).value + ")";
+  }
+  return text + about_color(algorithm, story) + ".";
+}
+
+}  // namespace
+
+std::string explanation(const AlgorithmSpec& algorithm, const PixelStory& story) {
+  const bool is_right = story.covered() ? story.admissible(story.id) : story.id == background_id;
+  return is_right ? right(algorithm, story) : wrong(algorithm, story);
+}
+
+}  // namespace hsr
