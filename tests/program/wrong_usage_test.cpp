@@ -133,7 +133,8 @@ TEST_CASE("program: a full disk is one line, exit code 1 and leaves nothing half
 
 TEST_CASE("program: help says everything on 100 columns, and exit code 0") {
   const std::vector<std::vector<std::string>> requests = {
-      {"--help"}, {"render", "--help"}, {"compare", "-h"}, {"export", "--help"}, {"list", "--help"}};
+      {"--help"},          {"render", "--help"}, {"compare", "-h"}, {"pixel", "--help"},
+      {"trace", "--help"}, {"export", "--help"}, {"list", "--help"}};
   for (const std::vector<std::string>& words : requests) {
     const ProgramRun run = run_program(words);
     CHECK(run.exit_code == 0);
