@@ -74,6 +74,19 @@ if(openexr_SOURCE_DIR)
   target_include_directories(hsr_openexr SYSTEM INTERFACE ${openexr_SOURCE_DIR}/src/lib)  # <OpenEXR/...>
 endif()
 
+# GIF animations. giflib has no build for CMake.
+find_package(GIF 5.1 QUIET)
+if(NOT TARGET GIF::GIF)
+  enable_language(C)
+  hsr_fetch(gif https://git.code.sf.net/p/giflib/code 5.2.1 SOURCE_SUBDIR none)
+  add_library(gif_fetched STATIC
+    ${gif_SOURCE_DIR}/dgif_lib.c ${gif_SOURCE_DIR}/egif_lib.c ${gif_SOURCE_DIR}/gif_err.c
+    ${gif_SOURCE_DIR}/gif_hash.c ${gif_SOURCE_DIR}/gifalloc.c ${gif_SOURCE_DIR}/openbsd-reallocarray.c)
+  target_include_directories(gif_fetched SYSTEM PUBLIC ${gif_SOURCE_DIR})
+  add_library(GIF::GIF ALIAS gif_fetched)
+endif()
+hsr_alias(gif GIF::GIF)
+
 # JSON.
 find_package(nlohmann_json QUIET CONFIG)
 if(NOT TARGET nlohmann_json::nlohmann_json)

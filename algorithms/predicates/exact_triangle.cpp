@@ -42,9 +42,9 @@ bool ExactTriangleCache::same_plane(std::uint32_t p, std::uint32_t q) {
   entry = {p, q, true};
   const auto [first, second] = pair(p, q);
   for (std::size_t axis = 0; axis < 3 && entry.same; ++axis) {
-    entry.same = (first.oriented.sum[axis] * second.oriented.det -
-                  second.oriented.sum[axis] * first.oriented.det)
-                     .sign() == 0;
+    entry.same =
+        (first.oriented.sum[axis] * second.oriented.det - second.oriented.sum[axis] * first.oriented.det)
+            .sign() == 0;
   }
   return entry.same;
 }

@@ -15,6 +15,7 @@
 #include "text_layout.h"
 #include "trace/event_json.h"
 #include "trace/recording.h"
+#include "trace_animation.h"
 
 namespace hsr {
 namespace {
@@ -187,6 +188,12 @@ void run(const TraceCommand& command, std::ostream& out) {
                    counted(told.first.total, "step") + ".")
       << "\n";
   print(told, out);
+  if (command.gif) {
+    const AnimatedSteps steps = {filter, command.from.value_or(1),
+                                 std::min(told.first.total, command.to.value_or(told.first.total))};
+    write_animation(view, traced, steps, command.backdrop, command.picture.threads, *command.gif);
+    out << "\nWrote " << command.gif->string() << ".\n";
+  }
   if (command.jsonl) {
     write_jsonl(command, traced, filter);
     out << "\nWrote " << command.jsonl->string() << ".\n";
