@@ -48,7 +48,7 @@ void write_json(const PixelStory& story, const View& view, const AlgorithmSpec& 
                      {"x", story.i},
                      {"y", story.j},
                      {"right", story.covered() ? story.admissible(story.id) : story.id == background_id},
-                     {"explanation", explanation(algorithm, story)},
+                     {"explanation", explanation(view, algorithm, story)},
                      {"answer",
                       {{"id", id_json(story.id)},
                        {"depth", story.id == background_id ? Json() : Json(story.depth)},

@@ -112,7 +112,7 @@ std::string to_text(const PixelStory& story, const View& view, const AlgorithmSp
   const double exact_depth = story.covered() ? story.list.front().depth : 0.0;
   text += "\n" + definition("answer", answer_text(story.id, double{story.depth}, story.color), 0, 8);
   text += definition("exact", answer_text(exact_id, exact_depth, story.exact_color), 0, 8);
-  return text + "\n" + paragraph(explanation(algorithm, story));
+  return text + "\n" + paragraph(explanation(view, algorithm, story));
 }
 
 }  // namespace hsr

@@ -40,22 +40,42 @@ std::string nearer_by_key(const AlgorithmSpec& algorithm) {
   return "its centroid is nearer to the eye";
 }
 
+/// The last of Newell's tests that let q be painted before p; null if there is none.
+const Event* test_that_let_first(const Scene& scene, const PixelStory& story, std::uint32_t q,
+                                 std::uint32_t p) {
+  const auto same_face = [&](std::uint32_t one, std::uint32_t other) {
+    return one != background_id && other != background_id &&
+           scene.triangles[one].face == scene.triangles[other].face;
+  };
+  const Event* found = nullptr;
+  for (const Event& event : story.history.events) {
+    if (event.kind != EventKind::compared || !event.passed) continue;
+    if (same_face(event.p, q) && same_face(event.q, p)) found = &event;
+  }
+  return found;
+}
+
 /// Why p was painted after q.
-std::string why_painted_later(const AlgorithmSpec& algorithm, const PixelStory& story, std::uint32_t p,
-                              std::uint32_t q) {
+std::string why_painted_later(const Scene& scene, const AlgorithmSpec& algorithm, const PixelStory& story,
+                              std::uint32_t p, std::uint32_t q) {
+  if (algorithm.algorithm->name == "none") return "it comes later in the file";
+  const Event* const test = test_that_let_first(scene, story, q, p);
+  if (test != nullptr) {
+    return "test " + std::to_string(test->number) + " let " + triangle(test->p) + " go before " +
+           triangle(test->q);
+  }
   const Event* const key_p = key_of(story, p);
   const Event* const key_q = key_of(story, q);
-  if (key_p != nullptr && key_q != nullptr) {
-    const TwoNumbers keys = tell_apart(key_p->value, key_q->value);
-    if (key_p->value == key_q->value) return "their keys are equal and it comes later in the file";
-    return nearer_by_key(algorithm) + " (" + keys.value + " against " + keys.other + ")";
+  if (algorithm.algorithm->name != "painter" || key_p == nullptr || key_q == nullptr) {
+    return "no test showed that it must come earlier";
   }
-  if (algorithm.algorithm->name == "none") return "it comes later in the file";
-  return "its place in the order is later";
+  if (key_p->value == key_q->value) return "their keys are equal and it comes later in the file";
+  const TwoNumbers keys = tell_apart(key_p->value, key_q->value);
+  return nearer_by_key(algorithm) + " (" + keys.value + " against " + keys.other + ")";
 }
 
 /// What happened at the step at which the algorithm left the exact answer.
-std::string what_happened(const AlgorithmSpec& algorithm, const PixelStory& story) {
+std::string what_happened(const Scene& scene, const AlgorithmSpec& algorithm, const PixelStory& story) {
   const Event& event = story.departure->event;
   const TwoNumbers depth = tell_apart(event.value, event.other);
   const std::string name(algorithm.algorithm->name);
@@ -63,7 +83,7 @@ std::string what_happened(const AlgorithmSpec& algorithm, const PixelStory& stor
   switch (event.kind) {
     case EventKind::painted:
       return name + " painted " + triangle(event.p) + " after " + triangle(event.q) + ", because " +
-             why_painted_later(algorithm, story, event.p, event.q);
+             why_painted_later(scene, algorithm, story, event.p, event.q);
     case EventKind::depth_tested:
       if (event.passed) {
         return name + " took " + triangle(event.p) + ", as stored at " + depth.value + ", for nearer than " +
@@ -103,7 +123,7 @@ std::string what_is_right(const PixelStory& story) {
          " against " + depth.other;
 }
 
-std::string wrong(const AlgorithmSpec& algorithm, const PixelStory& story) {
+std::string wrong(const Scene& scene, const AlgorithmSpec& algorithm, const PixelStory& story) {
   if (!story.covered()) {
     return "Wrong: " + triangle(story.id) + " is shown, although nothing covers the pixel's centre.";
   }
@@ -113,7 +133,7 @@ std::string wrong(const AlgorithmSpec& algorithm, const PixelStory& story) {
            " never found " + triangle(story.list.front().id) + " at the pixel's centre; " +
            what_is_right(story) + ".";
   }
-  return "Wrong: " + what_happened(algorithm, story) + ", although " + what_is_right(story) + ".";
+  return "Wrong: " + what_happened(scene, algorithm, story) + ", although " + what_is_right(story) + ".";
 }
 
 std::size_t tied_with_nearest(const PixelStory& story) {
@@ -157,9 +177,9 @@ std::string right(const AlgorithmSpec& algorithm, const PixelStory& story) {
 
 }  // namespace
 
-std::string explanation(const AlgorithmSpec& algorithm, const PixelStory& story) {
+std::string explanation(const View& view, const AlgorithmSpec& algorithm, const PixelStory& story) {
   const bool is_right = story.covered() ? story.admissible(story.id) : story.id == background_id;
-  return is_right ? right(algorithm, story) : wrong(algorithm, story);
+  return is_right ? right(algorithm, story) : wrong(*view.scene, algorithm, story);
 }
 
 }  // namespace hsr

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_set>
 
 #include "exact/depth_list.h"
 #include "predicates/sample_predicates.h"
@@ -21,32 +20,20 @@ glm::vec4 color_of_list(const Scene& scene, const std::vector<exact::Fragment>& 
   return color;
 }
 
-// Runs the algorithm at the pixel alone; what is kept of steps about no pixel is up to `among`.
-// Adds every triangle that a step at the pixel is about to `seen`.
-void run_once(const View& view, Renderer& renderer, RenderOptions options, const EventFilter& filter,
-              std::unordered_set<std::uint32_t>& seen, PixelStory& story) {
-  options.window = filter.window;
+/// Gathers the history and the departure, with each step that the filter wants counted once.
+void record_history(const TracedRun& run, const EventFilter& filter, PixelStory& story) {
   DepartureFinder finder([&story](int, int, std::uint32_t id) { return story.admissible(id); });
-  Frame frame(view.width, view.height);
-  const TracedRun run = [&](const EventListener& listener) {
-    std::uint64_t wanted = 0;
-    renderer.trace(
-        view, options,
-        [&](const Event& event) {
-          if (event.i >= 0 && event.p != background_id) seen.insert(event.p);
-          const bool is_wanted = filter.wants(event);
-          if (is_wanted) ++wanted;
-          finder.tell(event, is_wanted ? wanted : 0);
-          listener(event);
-        },
-        frame);
+  const TracedRun watched = [&](const EventListener& listener) {
+    std::uint64_t step = 0;
+    run([&](const Event& event) {
+      const bool wanted = filter.wants(event);
+      if (wanted) ++step;
+      finder.tell(event, wanted ? step : 0);
+      listener(event);
+    });
   };
-  story.history = record(run, filter);
+  story.history = record(watched, filter);
   story.departure = finder.first();
-  const std::size_t pixel = frame.index(story.i, story.j);
-  story.id = frame.id[pixel];
-  story.depth = frame.depth[pixel];
-  story.color = frame.color[pixel];
 }
 
 }  // namespace
@@ -72,16 +59,20 @@ PixelStory tell_pixel(const View& view, Renderer& renderer, const RenderOptions&
   story.list = exact::depth_list(view, i, j);
   story.exact_color = color_of_list(*view.scene, story.list);
 
-  // Nearly always the triangles at the pixel are those of the exact list.
-  std::unordered_set<std::uint32_t> seen;
-  for (const exact::Fragment& fragment : story.list) seen.insert(fragment.id);
-  EventFilter filter = {.window = PixelBox{i, i, j, j}};
-  std::size_t known = 0;
-  do {
-    known = seen.size();
-    filter.among = IdSet({seen.begin(), seen.end()});
-    run_once(view, renderer, options, filter, seen, story);
-  } while (seen.size() > known);
+  Frame frame(view.width, view.height);
+  RenderOptions pixel_options = options;
+  pixel_options.window = PixelBox{i, i, j, j};
+  const TracedRun run = [&](const EventListener& listener) {
+    renderer.trace(view, pixel_options, listener, frame);
+  };
+  EventFilter filter = {.window = pixel_options.window};
+  filter.among = triangles_at(run, *filter.window, *view.scene);
+  frame = Frame(view.width, view.height);
+  record_history(run, filter, story);
+  const std::size_t pixel = frame.index(i, j);
+  story.id = frame.id[pixel];
+  story.depth = frame.depth[pixel];
+  story.color = frame.color[pixel];
   return story;
 }
 

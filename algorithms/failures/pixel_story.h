@@ -45,6 +45,6 @@ std::vector<bool> fronts(const View& view, const std::vector<exact::Fragment>& l
 
 /// One sentence, with a full stop, that explains the pixel's colour: why this triangle is shown, or
 /// what is wrong and why.
-std::string explanation(const AlgorithmSpec& algorithm, const PixelStory& story);
+std::string explanation(const View& view, const AlgorithmSpec& algorithm, const PixelStory& story);
 
 }  // namespace hsr

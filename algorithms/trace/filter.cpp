@@ -1,7 +1,6 @@
 #include "trace/filter.h"
 
 #include <algorithm>
-#include <unordered_set>
 #include <utility>
 
 namespace hsr {
@@ -13,6 +12,19 @@ bool within(const PixelBox& box, const Event& event) {
 }
 
 bool about_no_pixel(const Event& event) { return event.i < 0; }
+
+/// The triangles of one face stand together.
+void append_named_of_face(const Scene& scene, std::uint32_t id, const std::vector<bool>& named,
+                          std::vector<std::uint32_t>& found) {
+  const auto of_face = [&](std::uint32_t other) {
+    return other < scene.triangles.size() && scene.triangles[other].face == scene.triangles[id].face;
+  };
+  std::uint32_t first = id;
+  while (first > 0 && of_face(first - 1)) --first;
+  for (std::uint32_t other = first; of_face(other); ++other) {
+    if (named[other]) found.push_back(other);
+  }
+}
 
 }  // namespace
 
@@ -34,12 +46,25 @@ bool EventFilter::wants(const Event& event) const {
   return !window || within(*window, event);
 }
 
-IdSet triangles_at(const TracedRun& run, const PixelBox& window) {
-  std::unordered_set<std::uint32_t> found;
+IdSet triangles_at(const TracedRun& run, const PixelBox& window, const Scene& scene) {
+  const std::size_t count = scene.triangles.size();
+  std::vector<bool> here(count, false);
+  std::vector<bool> named(count, false);  // by a step about no pixel
   run([&](const Event& event) {
-    if (event.p != background_id && within(window, event)) found.insert(event.p);
+    if (event.p >= count) return;
+    if (about_no_pixel(event)) {
+      named[event.p] = true;
+    } else if (within(window, event)) {
+      here[event.p] = true;
+    }
   });
-  return IdSet(std::vector<std::uint32_t>(found.begin(), found.end()));
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t id = 0; id < count; ++id) {
+    if (!here[id]) continue;
+    found.push_back(id);
+    if (!named[id]) append_named_of_face(scene, id, named, found);
+  }
+  return IdSet(std::move(found));
 }
 
 }  // namespace hsr

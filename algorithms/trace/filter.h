@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "predicates/pixel_box.h"
+#include "scene/scene.h"
 #include "trace/event.h"
 
 namespace hsr {
@@ -37,7 +38,9 @@ struct EventFilter {
   bool wants(const Event& event) const;
 };
 
-/// The triangles that the steps of a run at the pixels of `window` are about.
-IdSet triangles_at(const TracedRun& run, const PixelBox& window);
+/// The triangles that occur in `window`: those that the run's steps at its pixels are about. Where no
+/// step about no pixel names such a triangle, the others of its face that are named come with it, as
+/// an algorithm may order whole faces and call each by one of its triangles.
+IdSet triangles_at(const TracedRun& run, const PixelBox& window, const Scene& scene);
 
 }  // namespace hsr

@@ -41,12 +41,13 @@ struct TestWords {
   std::string_view failed;
 };
 constexpr std::array<TestWords, 6> newell_tests = {{
-    {"Q lies wholly before P in depth", "their extents in depth overlap"},
+    {"P lies wholly behind Q in depth", "their extents in depth overlap"},
     {"their extents in x do not overlap", "their extents in x overlap"},
     {"their extents in y do not overlap", "their extents in y overlap"},
     {"every corner of P lies behind Q's plane", "not every corner of P lies behind Q's plane"},
     {"every corner of Q lies before P's plane", "not every corner of Q lies before P's plane"},
-    {"their projections do not overlap", "their projections overlap"},
+    {"their projections are apart, or P is nowhere nearer in what they share",
+     "their projections overlap and somewhere P is nearer"},
 }};
 
 std::string compared(const Event& event) {
@@ -60,9 +61,10 @@ std::string compared(const Event& event) {
 }
 
 std::string placed(const Event& event) {
-  const std::string place =
-      event.number == 0 ? "first" : "as number " + std::to_string(std::uint64_t{event.number} + 1);
-  return triangle_p(event) + ", whose key is " + number_of(event.value) + ", is painted " + place;
+  const std::string key = event.value != 0.0 ? ", whose key is " + number_of(event.value) + "," : "";
+  return triangle_p(event) + key + " comes " +
+         (event.number == 0 ? "first" : "as number " + std::to_string(std::uint64_t{event.number} + 1)) +
+         " in the order";
 }
 
 std::string painted(const Event& event) {
@@ -159,7 +161,7 @@ std::string sentence(const Event& event) {
       return p_and_q(event) + " change places, so Q is to be painted before P, and is marked";
     case EventKind::cycled:
       return p_and_q(event) + " would change places again: they overlap in a cycle" +
-             (event.number > 1 ? " of " + std::to_string(event.number) : "") + ", so one must be cut";
+             (event.number > 1 ? " of " + std::to_string(event.number) : "");
     case EventKind::crossed:
       return p_and_q(event) + " cross each other, so neither may be painted before the other";
     case EventKind::split:

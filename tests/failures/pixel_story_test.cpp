@@ -18,7 +18,7 @@ PixelStory story_of(const hsr::View& view, const std::string& text, int i, int j
 }
 
 std::string explained(const hsr::View& view, const std::string& text, int i, int j) {
-  return explanation(hsr::parse_algorithm_spec(text), story_of(view, text, i, j));
+  return explanation(view, hsr::parse_algorithm_spec(text), story_of(view, text, i, j));
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -49,7 +49,7 @@ TEST_CASE("failures: a pixel's story agrees with the frame and the exact list") 
           CHECK(story.color == frame.color[pixel]);
           CHECK(story.list.size() == lists.begin[pixel + 1] - lists.begin[pixel]);
           CHECK(story.history.whole());
-          const std::string text = explanation(hsr::parse_algorithm_spec(spec), story);
+          const std::string text = explanation(view, hsr::parse_algorithm_spec(spec), story);
           CHECK(text.ends_with("."));
           const bool right = story.covered() ? story.admissible(story.id) : story.id == hsr::background_id;
           CHECK(text.starts_with("Wrong: ") == !right);

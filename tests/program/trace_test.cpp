@@ -3,6 +3,8 @@
 #include <fstream>
 #include <string>
 
+#include "support/read_gif.h"
+#include "support/read_image.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 #include "trace/event_json.h"
@@ -88,6 +90,33 @@ TEST_CASE("program: trace of a face tells steps about its triangles alone") {
   for (const hsr::NumberedEvent& step : read_steps(file)) {
     const auto of_face = [](std::uint32_t id) { return id == 2 || id == 3; };
     CHECK((of_face(step.event.p) || of_face(step.event.q)));
+  }
+}
+
+TEST_CASE("program: the last picture of a trace's animation is the rendered picture") {
+  const TemporaryFolder folder;
+  for (const std::string name : {"painter", "zbuffer[depth=unorm16]", "raycast", "newell"}) {
+    CAPTURE(name);
+    const std::vector<std::string> picture = {"crossing", "-s", "64x48", "-a", name};
+    std::vector<std::string> words = {"trace", "--gif", folder / "a.gif"};
+    words.insert(words.end(), picture.begin(), picture.end());
+    REQUIRE(run_program(words).exit_code == 0);
+    words = {"render", "-o", folder / "a.png"};
+    words.insert(words.end(), picture.begin(), picture.end());
+    REQUIRE(run_program(words).exit_code == 0);
+    const hsr::test::Gif gif = hsr::test::read_gif(folder / "a.gif");
+    const hsr::test::Picture png = hsr::test::read_png(folder / "a.png");
+    CHECK(gif.pictures.size() == 201);
+    REQUIRE(gif.width == png.width);
+    REQUIRE(gif.height == png.height);
+    std::size_t different = 0;
+    for (std::size_t pixel = 0; pixel < gif.pictures.back().size(); ++pixel) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (gif.pictures.back()[pixel][k] != png.bytes[3 * pixel + k]) ++different;
+      }
+    }
+    CHECK(different == 0);
+    for (const hsr::test::Gif::Color& color : gif.pictures.front()) REQUIRE(color == gif.at(0, 0, 0));
   }
 }
 

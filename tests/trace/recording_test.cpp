@@ -59,12 +59,30 @@ TEST_CASE("trace: a filter by triangle keeps steps with it on either side") {
 }
 
 TEST_CASE("trace: steps about no pixel can be those of the triangles at a pixel alone") {
+  hsr::Scene scene;
+  scene.triangles.resize(9);
+  for (std::uint32_t id = 0; id < 9; ++id) scene.triangles[id].face = id;
   const hsr::PixelBox window = {4, 4, 5, 5};
-  const hsr::IdSet there = hsr::triangles_at(run, window);
+  const hsr::IdSet there = hsr::triangles_at(run, window, scene);
   CHECK(there.size() == 2);
   CHECK(there.contains(3));
   CHECK(there.contains(8));
   // The comparison of 3 with 7 is not about this pixel.
   const Recording recording = hsr::record(run, {.window = window, .among = there});
   CHECK(recording.events == std::vector<Event>{steps[0], steps[2], steps[4]});
+}
+
+TEST_CASE("trace: a triangle that is called by another one of its face brings that along") {
+  hsr::Scene scene;
+  scene.triangles.resize(9);
+  for (std::uint32_t id = 0; id < 9; ++id) scene.triangles[id].face = id / 2;  // 2 and 3 are one face
+  const auto ordered_by_face = [](const hsr::EventListener& tell) {
+    tell({.kind = EventKind::key_given, .p = 2});
+    tell({.kind = EventKind::key_given, .p = 4});
+    tell({.kind = EventKind::painted, .i = 4, .j = 5, .p = 3});
+  };
+  const hsr::IdSet there = hsr::triangles_at(ordered_by_face, {4, 4, 5, 5}, scene);
+  CHECK(there.size() == 2);
+  CHECK(there.contains(2));
+  CHECK(there.contains(3));
 }

@@ -39,7 +39,9 @@ TEST_CASE("trace: Newell's tests are told in words") {
         "must decide");
   event.number = 6;
   CHECK(sentence(event) ==
-        "P = 3 and Q = 7 (piece 2), test 6: their projections overlap, and no test is left");
+        "P = 3 and Q = 7 (piece 2), test 6: their projections overlap and somewhere P is nearer, and no test "
+        "is "
+        "left");
 }
 
 TEST_CASE("trace: a depth test is told with both depths") {

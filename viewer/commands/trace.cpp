@@ -178,7 +178,7 @@ void run(const TraceCommand& command, std::ostream& out) {
     Frame frame(view.width, view.height);
     renderer->trace(view, options, listener, frame);
   };
-  if (command.window) filter.among = triangles_at(traced, *command.window);
+  if (command.window) filter.among = triangles_at(traced, *command.window, loaded.scene);
   Judge judge(view, command.window, command.picture.threads, bar.listener());
   const Told told = tell(command, traced, filter, judge);
   bar.erase();
