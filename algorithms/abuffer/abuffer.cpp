@@ -170,7 +170,10 @@ class ABuffer : public Renderer {
         }
         // 5., 6. Put the fragments in order and blend them, sample by sample.
         frame.color[pixel] = blend.color(list, a, b);
-        if constexpr (Trace::active) tell_blend(blend, list, set_up, i, j, a, b, trace);
+        if constexpr (Trace::active) {
+          tell_blend(blend, list, set_up, i, j, a, b, trace);
+          tell_centre(frame, i, j, trace);
+        }
       }
     }
     if (lists.wanted()) lists.add(std::move(block));
@@ -183,14 +186,25 @@ class ABuffer : public Renderer {
     trace.add(
         {.kind = EventKind::list_sorted, .i = i, .j = j, .number = static_cast<std::uint32_t>(list.size())});
     std::uint32_t rank = 0;
-    for (const RankedFragment& fragment : blend.seen(list, a, b)) {
+    for (const SeenFragment& fragment : blend.seen(list, a, b)) {
       trace.add({.kind = EventKind::fragment_taken,
                  .i = i,
                  .j = j,
                  .p = set_up.triangles[fragment.index].id,
                  .number = rank++,
-                 .value = fragment.least_depth});
+                 .value = fragment.least_depth,
+                 .other = fragment.share});
     }
+  }
+
+  static void tell_centre(const Frame& frame, int i, int j, const EventTrace& trace) {
+    const std::size_t pixel = frame.index(i, j);
+    if (frame.id[pixel] == background_id) return;
+    trace.add({.kind = EventKind::centre_shown,
+               .i = i,
+               .j = j,
+               .p = frame.id[pixel],
+               .value = double{frame.depth[pixel]}});
   }
 
   SamplePattern pattern_;

@@ -11,6 +11,12 @@ namespace {
 
 bool covers(std::uint32_t mask, std::size_t sample) { return ((mask >> sample) & 1U) != 0; }
 
+// How much of the front one is seen, where the depth ranges of two fragments overlap.
+double visible_share(const RankedFragment& front, const RankedFragment& back) {
+  const double ranges = (front.greatest_depth - front.least_depth) + (back.greatest_depth - back.least_depth);
+  return std::clamp((back.greatest_depth - front.least_depth) / ranges, 0.0, 1.0);
+}
+
 }  // namespace
 
 glm::vec4 PixelBlend::color(std::span<const PixelFragment> fragments, double a, double b) {
@@ -117,11 +123,14 @@ void PixelBlend::order_by_rank(std::size_t sample, double a, double b) {
 // Front over back where the front one is seen, and the other way round where it is not. Carpenter
 // estimates the share of the front one by how far the depth ranges overlap (1984, Intersections).
 glm::vec4 PixelBlend::mixed(const RankedFragment& front, const RankedFragment& back) const {
-  const double ranges = (front.greatest_depth - front.least_depth) + (back.greatest_depth - back.least_depth);
-  const double visible = std::clamp((back.greatest_depth - front.least_depth) / ranges, 0.0, 1.0);
-  const auto share = static_cast<float>(visible);
+  const auto share = static_cast<float>(visible_share(front, back));
   return share * over(surface(front.index), surface(back.index)) +
          (1.0F - share) * over(surface(back.index), surface(front.index));
+}
+
+bool PixelBlend::crosses_next(std::size_t place) const {
+  return intersections_ == Intersections::by_depth_range && place + 1 < at_sample_.size() &&
+         at_sample_[place + 1].least_depth < at_sample_[place].greatest_depth;
 }
 
 glm::vec4 PixelBlend::blended_by_rank() const {
@@ -129,9 +138,7 @@ glm::vec4 PixelBlend::blended_by_rank() const {
   for (std::size_t place = 0; place < at_sample_.size(); ++place) {
     const RankedFragment& front = at_sample_[place];
     bool hides = surface(front.index).a >= 1.0F;
-    const bool crossing = intersections_ == Intersections::by_depth_range && place + 1 < at_sample_.size() &&
-                          at_sample_[place + 1].least_depth < front.greatest_depth;
-    if (crossing) {
+    if (crosses_next(place)) {
       const RankedFragment& back = at_sample_[++place];
       hides = hides || surface(back.index).a >= 1.0F;
       color = over(color, mixed(front, back));
@@ -143,34 +150,58 @@ glm::vec4 PixelBlend::blended_by_rank() const {
   return color;
 }
 
-std::vector<RankedFragment> PixelBlend::seen(std::span<const PixelFragment> fragments, double a, double b) {
+// What composited() does, for one sample.
+void PixelBlend::add_shares_exactly(Shares& shares) const {
+  double through = 1.0;
+  for (const OrderedFragment& fragment : exact_) {
+    if (fragment.tied) continue;
+    shares[fragment.index] += through;
+    through *= 1.0 - surface(fragment.index).a;
+    if (!(through > 0.0)) return;
+  }
+}
+
+// What blended_by_rank() does.
+void PixelBlend::add_shares_by_rank(Shares& shares) const {
+  double through = 1.0;
+  for (std::size_t place = 0; place < at_sample_.size() && through > 0.0; ++place) {
+    const RankedFragment& front = at_sample_[place];
+    const double past_front = 1.0 - surface(front.index).a;
+    if (!crosses_next(place)) {
+      shares[front.index] += through;
+      through *= past_front;
+      continue;
+    }
+    const RankedFragment& back = at_sample_[++place];
+    const double past_back = 1.0 - surface(back.index).a;
+    const double visible = visible_share(front, back);
+    shares[front.index] += through * (visible + (1.0 - visible) * past_back);
+    shares[back.index] += through * (visible * past_front + (1.0 - visible));
+    through *= past_front * past_back;
+  }
+}
+
+std::vector<SeenFragment> PixelBlend::seen(std::span<const PixelFragment> fragments, double a, double b) {
   rank(fragments, a, b);
-  std::vector<std::uint32_t> counted;
+  Shares shares;
   for (std::size_t sample = 0; sample < pattern_.size(); ++sample) {
     const double sample_a = a + pattern_.a(sample);
     const double sample_b = b + pattern_.b(sample);
     if (intersections_ == Intersections::by_sample) {
       order_exactly(fragments, sample, sample_a, sample_b);
-      for (const OrderedFragment& fragment : exact_) {
-        if (fragment.tied) continue;
-        counted.push_back(fragment.index);
-        if (surface(fragment.index).a >= 1.0F) break;
-      }
+      add_shares_exactly(shares);
     } else {
       order_by_rank(sample, sample_a, sample_b);
-      for (std::size_t place = 0; place < at_sample_.size(); ++place) {
-        counted.push_back(at_sample_[place].index);
-        const bool mixes = intersections_ == Intersections::by_depth_range && place + 1 < at_sample_.size() &&
-                           at_sample_[place + 1].least_depth < at_sample_[place].greatest_depth;
-        if (surface(at_sample_[place].index).a >= 1.0F && !mixes) break;
-      }
+      add_shares_by_rank(shares);
     }
   }
-  std::ranges::sort(counted);
-  std::vector<RankedFragment> result;
-  std::ranges::copy_if(ranked_, std::back_inserter(result), [&](const RankedFragment& fragment) {
-    return std::ranges::binary_search(counted, fragment.index);
-  });
+  std::vector<SeenFragment> result;
+  for (const RankedFragment& fragment : ranked_) {
+    const auto share = shares.find(fragment.index);
+    if (share == shares.end() || !(share->second > 0.0)) continue;
+    result.push_back(
+        {fragment.index, fragment.least_depth, share->second / static_cast<double>(pattern_.size())});
+  }
   return result;
 }
 

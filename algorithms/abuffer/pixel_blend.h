@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct RankedFragment {
   double greatest_depth = 0.0;
 };
 
+/// A fragment that counts in a pixel's colour.
+struct SeenFragment {
+  std::uint32_t index = 0;   ///< into ScreenTriangles::triangles
+  double least_depth = 0.0;  ///< eye depth, over the samples that it covers
+  double share = 0.0;        ///< how much of its colour the pixel has: in (0, 1]
+};
+
 /// Steps 5 and 6 of abuffer.cpp: packs the fragments of a pixel, front to back, into one colour. Keeps
 /// room between calls, so use one per thread; everything it is made from must outlive it.
 class PixelBlend {
@@ -42,8 +50,9 @@ class PixelBlend {
   /// from front to back up to the first opaque fragment. Tied fragments count once, the lowest id.
   glm::vec4 color(std::span<const PixelFragment> fragments, double a, double b);
 
-  /// The fragments that count in that colour, by their nearest points.
-  std::vector<RankedFragment> seen(std::span<const PixelFragment> fragments, double a, double b);
+  /// The fragments that count in that colour, by their nearest points. The colour is the sum of theirs,
+  /// each times its share.
+  std::vector<SeenFragment> seen(std::span<const PixelFragment> fragments, double a, double b);
 
  private:
   const glm::vec4& surface(std::uint32_t index) const { return colors_[set_up_.triangles[index].id]; }
@@ -54,6 +63,10 @@ class PixelBlend {
   glm::vec4 nearest_color(std::span<const PixelFragment> fragments, std::size_t sample, double a, double b);
   glm::vec4 blended_by_rank() const;
   glm::vec4 mixed(const RankedFragment& front, const RankedFragment& back) const;
+  bool crosses_next(std::size_t place) const;
+  using Shares = std::map<std::uint32_t, double>;  // by index
+  void add_shares_exactly(Shares& shares) const;
+  void add_shares_by_rank(Shares& shares) const;
 
   const ScreenTriangles& set_up_;
   const SamplePattern& pattern_;

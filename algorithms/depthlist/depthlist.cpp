@@ -128,7 +128,7 @@ class DepthLists : public Renderer {
         frame.id[pixel] = nearest.id;
         frame.depth[pixel] = predicates.nearest_float_depth(nearest, a, b);
         frame.color[pixel] = composited(list, set_up, colors_);
-        if constexpr (Trace::active) tell_list(list, set_up, i, j, a, b, trace);
+        if constexpr (Trace::active) tell_list(list, set_up, i, j, a, b, predicates, trace);
       }
     }
     if (lists.wanted()) lists.add(std::move(block));
@@ -136,7 +136,7 @@ class DepthLists : public Renderer {
   }
 
   void tell_list(std::span<const OrderedFragment> list, const ScreenTriangles& set_up, int i, int j, double a,
-                 double b, const EventTrace& trace) const {
+                 double b, SamplePredicates& predicates, const EventTrace& trace) const {
     trace.add(
         {.kind = EventKind::list_sorted, .i = i, .j = j, .number = static_cast<std::uint32_t>(list.size())});
     for (std::uint32_t rank = 0; rank < list.size(); ++rank) {
@@ -147,7 +147,7 @@ class DepthLists : public Renderer {
                  .j = j,
                  .p = triangle.id,
                  .number = rank,
-                 .value = 1.0 / triangle.inverse_depth.at(a, b)});
+                 .value = predicates.nearest_float_depth(triangle, a, b)});
       if (colors_[triangle.id].a >= 1.0F) break;
     }
   }

@@ -150,6 +150,10 @@ std::string about_color(const AlgorithmSpec& algorithm, const PixelStory& story)
   for (int k = 0; k < 3; ++k) {
     difference = std::max(difference, std::abs(story.color[k] - story.exact_color[k]));
   }
+  const bool has_areas = std::ranges::any_of(story.history.events, [](const Event& event) {
+    return event.kind == EventKind::fragment_taken && event.other > 0.0;
+  });
+  if (has_areas) return "; its colour is the mean over the pixel's area";
   if (difference > visible) {
     return "; its colour differs by " + tell_apart(difference, difference).value +
            " from the whole list blended in order (transparency: " +

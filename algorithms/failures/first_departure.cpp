@@ -45,7 +45,10 @@ void DepartureFinder::tell(const Event& event, std::uint64_t step) {
       if (admissible(event, event.p) && !admissible(event, pixel.shown)) lose(pixel.lost, event, step);
       return;
     case EventKind::fragment_taken:
-      if (event.number == 0) show(pixel, event, step);
+      if (event.number == 0 && event.other == 0.0) show(pixel, event, step);
+      return;
+    case EventKind::centre_shown:
+      show(pixel, event, step);
       return;
     default:
       return;

@@ -21,7 +21,8 @@ enum class EventKind : std::uint8_t {
   split,      ///< p is cut by the plane of q; number: pieces so far
   released,   ///< nothing that is left lies behind p, so it is painted next; number: its place
   // A picture
-  painted,     ///< at a pixel: p goes over q, whatever their depths; value, other: their eye depths
+  painted,     ///< at a pixel: p goes over q, whatever their depths; value, other: their eye depths; if not
+               ///< `blended`, p ties with q and goes in its place over what q went over
   edge_drawn,  ///< at a pixel: an edge of the face of p goes over everything; no triangle changes
   // The z-buffer
   depth_tested,  ///< at a pixel: p against the stored q; value, other: the eye depths that the compared
@@ -30,8 +31,10 @@ enum class EventKind : std::uint8_t {
   fragment_stored,   ///< at a pixel: value: eye depth; number: fragments stored there by now
   fragment_dropped,  ///< at a pixel: p lies behind q, which hides it, or the list is full (q background), or
                      ///< p ties with q (number: Order::tied), which counts for both
-  list_sorted,       ///< at a pixel: number: its fragments
-  fragment_taken,    ///< at a pixel: p is blended behind what is nearer; number: rank from 0, value: depth
+  list_sorted,       ///< at a pixel: number: its fragments; the colour is blended anew, from nothing
+  fragment_taken,    ///< at a pixel: number: rank from 0; value: eye depth; p is blended behind what is
+                     ///< nearer, or, if `other` is not 0, its colour times this share of the pixel is added
+  centre_shown,      ///< at a pixel whose fragments have areas: id and depth (value) are those of p
   // Ray casting
   ray_started,     ///< at a pixel
   node_entered,    ///< at a pixel: number: the node of the hierarchy; value: eye depth, at most that of entry

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::pair<EventKind, std::string_view>, 21> kinds = {{
+constexpr std::array<std::pair<EventKind, std::string_view>, 22> kinds = {{
     {EventKind::key_given, "key_given"},
     {EventKind::placed, "placed"},
     {EventKind::compared, "compared"},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<EventKind, std::string_view>, 21> kinds = {{
     {EventKind::fragment_dropped, "fragment_dropped"},
     {EventKind::list_sorted, "list_sorted"},
     {EventKind::fragment_taken, "fragment_taken"},
+    {EventKind::centre_shown, "centre_shown"},
     {EventKind::ray_started, "ray_started"},
     {EventKind::node_entered, "node_entered"},
     {EventKind::node_passed_by, "node_passed_by"},

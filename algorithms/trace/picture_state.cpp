@@ -17,7 +17,7 @@ float float_depth(double depth) {
 }  // namespace
 
 PictureState::PictureState(int width, int height, const std::vector<glm::vec4>& colors)
-    : colors_(&colors), frame_(width, height) {}
+    : colors_(&colors), frame_(width, height), below_(frame_.pixel_count(), glm::vec4(0.0F)) {}
 
 PictureState::Before PictureState::before(const Event& event) const {
   const std::size_t pixel = pixel_of(event);
@@ -25,14 +25,23 @@ PictureState::Before PictureState::before(const Event& event) const {
           .id = frame_.id[pixel],
           .depth = frame_.depth[pixel],
           .color = frame_.color[pixel],
+          .below = below_[pixel],
           .change = Before::Change::picture};
 }
 
-PictureState::Before PictureState::change_picture(const Event& event, const glm::vec4& color) {
+PictureState::Before PictureState::change_picture(const Event& event) {
   Before old = before(event);
-  frame_.id[old.pixel] = event.p;
-  frame_.depth[old.pixel] = float_depth(event.value);
-  frame_.color[old.pixel] = event.blended ? over(color, frame_.color[old.pixel]) : opaque(color);
+  const glm::vec4& surface = (*colors_)[event.p];
+  show(event);
+  frame_.color[old.pixel] = event.blended ? over(surface, old.color) : opaque(surface);
+  return old;
+}
+
+PictureState::Before PictureState::paint(const Event& event) {
+  Before old = before(event);
+  show(event);
+  if (event.blended) below_[old.pixel] = old.color;
+  frame_.color[old.pixel] = over((*colors_)[event.p], below_[old.pixel]);
   return old;
 }
 
@@ -48,33 +57,39 @@ PictureState::Before PictureState::store_fragment(const Event& event) {
 
 PictureState::Before PictureState::sort_list(const Event& event) {
   std::vector<ListFragment>& list = lists_[pixel_of(event)];
-  Before old = {.pixel = pixel_of(event), .change = Before::Change::list, .list = list};
+  Before old = before(event);
+  old.change = Before::Change::list;
+  old.list = list;
+  frame_.color[old.pixel] = glm::vec4(0.0F);
   std::ranges::sort(list, [](const ListFragment& p, const ListFragment& q) {
     return p.depth != q.depth ? p.depth < q.depth : p.id < q.id;
   });
   return old;
 }
 
-// Blends p behind what is nearer. Which of two fragments comes first that are equal in float is known
-// only now.
 PictureState::Before PictureState::take_fragment(const Event& event) {
   Before old = before(event);
-  if (event.number == 0) {
-    frame_.id[old.pixel] = event.p;
-    frame_.depth[old.pixel] = float_depth(event.value);
-  }
-  const glm::vec4& color = (*colors_)[event.p];
-  frame_.color[old.pixel] = over(frame_.color[old.pixel], event.blended ? color : opaque(color));
+  const glm::vec4& surface = (*colors_)[event.p];
+  glm::vec4& color = frame_.color[old.pixel];
+  const bool has_area = event.other > 0.0;
+  color = has_area ? color + static_cast<float>(event.other) * surface : over(color, surface);
+  if (event.number == 0 && !has_area) show(event);
   return old;
+}
+
+void PictureState::show(const Event& event) {
+  frame_.id[pixel_of(event)] = event.p;
+  frame_.depth[pixel_of(event)] = float_depth(event.value);
 }
 
 PictureState::Before PictureState::apply(const Event& event) {
   switch (event.kind) {
     case EventKind::painted:
+      return paint(event);
     case EventKind::nearest_replaced:
-      return change_picture(event, (*colors_)[event.p]);
+      return change_picture(event);
     case EventKind::depth_tested:
-      return event.passed ? change_picture(event, (*colors_)[event.p]) : Before{};
+      return event.passed ? change_picture(event) : Before{};
     case EventKind::edge_drawn: {
       Before old = before(event);
       frame_.color[old.pixel] = edge_ink;
@@ -86,6 +101,11 @@ PictureState::Before PictureState::apply(const Event& event) {
       return sort_list(event);
     case EventKind::fragment_taken:
       return take_fragment(event);
+    case EventKind::centre_shown: {
+      const Before old = before(event);
+      show(event);
+      return old;
+    }
     default:
       return {};
   }
@@ -99,6 +119,7 @@ void PictureState::take_back(Before before) {
       frame_.id[before.pixel] = before.id;
       frame_.depth[before.pixel] = before.depth;
       frame_.color[before.pixel] = before.color;
+      below_[before.pixel] = before.below;
       return;
     case Before::Change::stored:
       lists_[before.pixel].pop_back();
@@ -106,6 +127,7 @@ void PictureState::take_back(Before before) {
       return;
     case Before::Change::list:
       lists_[before.pixel] = std::move(before.list);
+      frame_.color[before.pixel] = before.color;
       return;
   }
 }

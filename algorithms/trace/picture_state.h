@@ -25,6 +25,7 @@ class PictureState {
     std::uint32_t id = background_id;
     float depth = 0.0F;
     glm::vec4 color{0.0F};
+    glm::vec4 below{0.0F};
     enum class Change : std::uint8_t { nothing, picture, stored, list } change = Change::nothing;
     std::vector<ListFragment> list = {};  ///< where the whole list changed
   };
@@ -35,7 +36,8 @@ class PictureState {
   void take_back(Before before);
 
   const Frame& frame() const { return frame_; }
-  /// The fragments that pixel (i, j) holds, in the list's own order; empty where it has none.
+  /// The fragments that pixel (i, j) holds: as they came, and once the list is sorted by their float
+  /// depths, ties by id. Empty where it has none.
   const std::vector<ListFragment>& list(int i, int j) const;
   /// Whether every fragment is in the lists; in all they hold at most most_list_fragments.
   bool lists_are_whole() const { return fragments_left_out_ == 0; }
@@ -43,15 +45,18 @@ class PictureState {
   static constexpr std::size_t most_list_fragments = 4'000'000;
 
  private:
-  Before change_picture(const Event& event, const glm::vec4& color);
+  Before change_picture(const Event& event);
+  Before paint(const Event& event);
   Before store_fragment(const Event& event);
   Before sort_list(const Event& event);
   Before take_fragment(const Event& event);
+  void show(const Event& event);
   std::size_t pixel_of(const Event& event) const { return frame_.index(event.i, event.j); }
   Before before(const Event& event) const;
 
   const std::vector<glm::vec4>* colors_;
   Frame frame_;
+  std::vector<glm::vec4> below_;                                      // per pixel, what was painted over last
   std::unordered_map<std::size_t, std::vector<ListFragment>> lists_;  // by pixel
   std::size_t fragments_ = 0;
   std::size_t fragments_left_out_ = 0;

@@ -70,6 +70,10 @@ std::string placed(const Event& event) {
 std::string painted(const Event& event) {
   const std::string begin = pixel(event) + triangle_p(event) + " at depth ";
   if (event.q == background_id) return begin + number_of(event.value) + " is painted, the first here";
+  if (!event.blended) {
+    return begin + number_of(event.value) + " is exactly as deep as " + triangle_q(event) +
+           ", takes its place and counts for both";
+  }
   const TwoNumbers depth = tell_apart(event.value, event.other);
   const bool hides = event.value > event.other;
   return begin + depth.value + " is painted over " + triangle_q(event) + " at " + depth.other +
@@ -114,15 +118,19 @@ std::string nearest_replaced(const Event& event) {
 }
 
 std::string fragment_dropped(const Event& event) {
-  const std::string begin = pixel(event) + triangle_p(event) + " at depth ";
-  if (event.q == background_id) return begin + number_of(event.value) + " is dropped, as the list is full";
-  const TwoNumbers depth = tell_apart(event.value, event.other);
-  return begin + depth.value + " lies behind " + triangle_q(event) +
-         (event.other > 0.0 ? " at " + depth.other : "") + ", which hides it, so it is dropped";
+  const std::string begin = pixel(event) + triangle_p(event);
+  if (event.q == background_id) return begin + " is dropped, as the list is full";
+  if (static_cast<Order>(event.number) == Order::tied) {
+    return begin + " is exactly as deep as " + triangle_q(event) + ", which counts for both";
+  }
+  return begin + " lies behind " + triangle_q(event) + ", which hides it, so it is dropped";
 }
 
 std::string fragment_taken(const Event& event) {
   const std::string begin = pixel(event) + triangle_p(event) + " at depth " + number_of(event.value);
+  if (event.other > 0.0) {
+    return begin + " is seen in " + digits(100.0 * event.other, few_digits) + " % of the pixel";
+  }
   if (event.number == 0) return begin + " is the nearest and is taken first";
   return begin + " is taken as number " + std::to_string(std::uint64_t{event.number} + 1) +
          " and blended behind what is nearer";
@@ -185,6 +193,9 @@ std::string sentence(const Event& event) {
       return pixel(event) + "the list of " + std::to_string(event.number) + " is sorted by depth";
     case EventKind::fragment_taken:
       return fragment_taken(event);
+    case EventKind::centre_shown:
+      return pixel(event) + triangle_p(event) + " at depth " + number_of(event.value) +
+             " is the nearest at the centre, so id and depth are its";
     case EventKind::ray_started:
       return pixel(event) + "a ray starts from the eye through the pixel's centre";
     case EventKind::node_entered:

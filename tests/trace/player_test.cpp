@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 
@@ -17,12 +18,17 @@ using hsr::test::traced_run;
 
 namespace {
 
-// An algorithm that antialiases weighs colours by area, which no step of a pixel's centre tells.
-bool colors_follow(const std::string& spec) { return !spec.starts_with("abuffer"); }
-
 std::string difference(const Player& player, hsr::Frame want, const std::string& spec) {
   want.lists.reset();
-  if (!colors_follow(spec)) want.color = player.picture().color;
+  if (spec.starts_with("abuffer")) {
+    // Shares are rounded otherwise than samples are.
+    for (std::size_t pixel = 0; pixel < want.pixel_count(); ++pixel) {
+      for (int k = 0; k < 4; ++k) {
+        const float shown = player.picture().color[pixel][k];
+        if (std::abs(want.color[pixel][k] - shown) < 1e-5F) want.color[pixel][k] = shown;
+      }
+    }
+  }
   return hsr::test::difference(player.picture(), want);
 }
 
@@ -82,8 +88,8 @@ TEST_CASE("trace: lists fill, are sorted, and are emptied again by going back") 
       {.kind = EventKind::fragment_stored, .i = 1, .j = 0, .p = 4, .number = 1, .value = 3.0},
       {.kind = EventKind::fragment_stored, .i = 1, .j = 0, .p = 2, .number = 2, .value = 2.0},
       {.kind = EventKind::list_sorted, .i = 1, .j = 0, .number = 2},
-      {.kind = EventKind::fragment_taken, .blended = true, .i = 1, .j = 0, .p = 2, .value = 2.0},
-      {.kind = EventKind::fragment_taken, .blended = true, .i = 1, .j = 0, .p = 4, .number = 1, .value = 3.0},
+      {.kind = EventKind::fragment_taken, .i = 1, .j = 0, .p = 2, .value = 2.0},
+      {.kind = EventKind::fragment_taken, .i = 1, .j = 0, .p = 4, .number = 1, .value = 3.0},
   };
   Player player(2, 1, colors, [&](const hsr::EventListener& tell) { std::ranges::for_each(steps, tell); });
   CHECK(player.last() == nullptr);

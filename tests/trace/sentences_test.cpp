@@ -67,8 +67,14 @@ TEST_CASE("trace: numbers have the digits that tell them apart") {
 }
 
 TEST_CASE("trace: a painter that hides what is nearer says so") {
-  const Event event = {
-      .kind = EventKind::painted, .i = 1, .j = 2, .p = 3, .q = 7, .value = 4.0, .other = 2.5};
+  const Event event = {.kind = EventKind::painted,
+                       .blended = true,
+                       .i = 1,
+                       .j = 2,
+                       .p = 3,
+                       .q = 7,
+                       .value = 4.0,
+                       .other = 2.5};
   CHECK(sentence(event) ==
         "pixel (1, 2): triangle 3 at depth 4 is painted over triangle 7 at 2.5, although that is nearer");
 }
