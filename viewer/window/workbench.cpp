@@ -28,7 +28,18 @@ Workbench::Workbench(std::function<void()> wake, int threads)
       picture_lane_(wake),
       other_lane_(wake),
       truth_lane_(wake),
-      judgement_lane_(wake) {}
+      judgement_lane_(wake),
+      causes_lane_(wake) {}
+
+template <class Self, class Visit>
+void Workbench::for_each_lane(Self& self, Visit visit) {
+  visit("scene", self.model_lane_);
+  visit("picture", self.picture_lane_);
+  visit("other picture", self.other_lane_);
+  visit("exact answer", self.truth_lane_);
+  visit("comparison", self.judgement_lane_);
+  visit("causes", self.causes_lane_);
+}
 
 Extent Workbench::picture_size() const { return state.picture.value_or(panel_); }
 
@@ -70,6 +81,7 @@ void Workbench::update(double seconds, Extent panel) {
   (void)other_lane_.poll();
   (void)truth_lane_.poll();
   (void)judgement_lane_.poll();
+  (void)causes_lane_.poll();
   settling_ = now_ - camera_moved_ < rest_seconds;
   want_model();
   if (!model()) return;
@@ -131,6 +143,25 @@ void Workbench::want_truth() {
       return judge(*rendered, *exact, progress);
     };
   });
+  want_causes();
+}
+
+void Workbench::want_causes() {
+  const auto found = judgement();
+  if (!found || !state.check) return;
+  const bool colors_wrong = found->errors.color && found->errors.color->max > 0.0;
+  if (found->failed.empty() && !colors_wrong) return;
+  causes_lane_.want(picture_key(), true, [&] {
+    return [key = picture_key(), given = surroundings(), rendered = picture(),
+            exact = truth()](const Progress& progress) {
+      return find_causes(key, given, *rendered, *exact, progress);
+    };
+  });
+}
+
+std::shared_ptr<const OrderingFailures> Workbench::causes() const {
+  if (!judgement() || !causes_lane_.result() || !(*causes_lane_.result_key() == picture_key())) return nullptr;
+  return causes_lane_.result();
 }
 
 bool Workbench::picture_is_current() const {
@@ -180,52 +211,41 @@ void Workbench::move_corner(std::uint32_t corner, const glm::vec3& position) {
 }
 
 bool Workbench::busy() const {
-  return settling_ || model_lane_.busy() || picture_lane_.busy() || other_lane_.busy() ||
-         truth_lane_.busy() || judgement_lane_.busy();
+  bool any = settling_;
+  for_each_lane(*this, [&any](const char*, const auto& lane) { any |= lane.busy(); });
+  return any;
 }
 
 void Workbench::cancel() {
-  model_lane_.give_up();
-  picture_lane_.give_up();
-  other_lane_.give_up();
-  truth_lane_.give_up();
-  judgement_lane_.give_up();
+  for_each_lane(*this, [](const char*, auto& lane) { lane.give_up(); });
 }
 
 bool Workbench::cancelled() const {
-  return model_lane_.has_given_up() || picture_lane_.has_given_up() || other_lane_.has_given_up() ||
-         truth_lane_.has_given_up() || judgement_lane_.has_given_up();
+  bool any = false;
+  for_each_lane(*this, [&any](const char*, const auto& lane) { any |= lane.has_given_up(); });
+  return any;
 }
 
 void Workbench::retry() {
-  model_lane_.retry();
-  picture_lane_.retry();
-  other_lane_.retry();
-  truth_lane_.retry();
-  judgement_lane_.retry();
+  for_each_lane(*this, [](const char*, auto& lane) { lane.retry(); });
 }
 
 std::vector<Workbench::Running> Workbench::running() const {
   std::vector<Running> pieces;
-  const auto add = [&pieces](const std::string& what, const auto& lane) {
+  for_each_lane(*this, [&pieces](const char* what, const auto& lane) {
     if (!lane.busy()) return;
     const auto [stage, done] = lane.progress();
     pieces.push_back({what, stage, done, lane.running_ms()});
-  };
-  add("scene", model_lane_);
-  add(state.algorithm.text(), picture_lane_);
-  add(other_name(), other_lane_);
-  add("exact answer", truth_lane_);
-  add("comparison", judgement_lane_);
+  });
   return pieces;
 }
 
 std::vector<std::string> Workbench::problems() const {
   std::vector<std::string> lines;
-  for (const std::string& error : {model_lane_.error(), picture_lane_.error(), other_lane_.error(),
-                                   truth_lane_.error(), judgement_lane_.error()}) {
+  for_each_lane(*this, [&lines](const char*, const auto& lane) {
+    const std::string& error = lane.error();
     if (!error.empty() && std::ranges::find(lines, error) == lines.end()) lines.push_back(error);
-  }
+  });
   return lines;
 }
 

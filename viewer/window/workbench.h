@@ -14,9 +14,6 @@
 
 namespace hsr::window {
 
-/// Which comparison with the exact answer is meant: of a picture.
-using JudgementKey = PictureKey;
-
 /// The viewer without its window: the state, and everything that is computed from it, in threads of its
 /// own. Panels change `state` and read the results; update() notices what changed and asks for what is
 /// missing. Results stay until newer ones are there, so each says what it is of.
@@ -53,6 +50,8 @@ class Workbench {
   /// The exact answer and what it says of the picture; null unless it is of the present state.
   std::shared_ptr<const Truth> truth() const;
   std::shared_ptr<const Judgement> judgement() const;
+  /// Why its wrong pixels are wrong; null too where all are right.
+  std::shared_ptr<const OrderingFailures> causes() const;
 
   /// Moves the camera: until it rests, pictures are as coarse as is needed to follow.
   void move_camera(const Camera& camera);
@@ -88,8 +87,12 @@ class Workbench {
   bool model_is_current() const;
   void find_home_camera();
   void want_model();
+  /// Calls visit(what, lane) for every lane.
+  template <class Self, class Visit>
+  static void for_each_lane(Self& self, Visit visit);
   void want_pictures();
   void want_truth();
+  void want_causes();
   int coarseness() const;
 
   int threads_;
@@ -114,7 +117,8 @@ class Workbench {
   Lane<PictureKey, Rendered> picture_lane_;
   Lane<PictureKey, Rendered> other_lane_;
   Lane<ViewKey, Truth> truth_lane_;
-  Lane<JudgementKey, Judgement> judgement_lane_;
+  Lane<PictureKey, Judgement> judgement_lane_;
+  Lane<PictureKey, OrderingFailures> causes_lane_;
 };
 
 }  // namespace hsr::window

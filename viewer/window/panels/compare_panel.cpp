@@ -1,4 +1,5 @@
 #include "text_layout.h"
+#include "window/causes.h"
 #include "window/actions.h"
 #include "window/panels/algorithm_settings.h"
 #include "window/panels/panels.h"
@@ -25,6 +26,22 @@ void draw_other(Ui& ui, State& state) {
   ImGui::PopID();
 }
 
+/// The causes with their marks and counts.
+void draw_causes(Ui& ui, Session& session) {
+  const auto causes = session.bench.causes();
+  if (!causes) return;
+  for (std::size_t k = 0; k < cause_count; ++k) {
+    const auto cause = static_cast<Cause>(k);
+    if (causes->of(cause) == 0) continue;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = ImGui::GetTextLineHeight() / 2.0F;
+    draw_cause(*ImGui::GetWindowDrawList(), {at.x + 0.6F * ui.em, at.y + middle}, 0.32F * ui.em, ui.stroke, cause,
+               session.bench.state.theme);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.5F * ui.em);
+    ui.paragraph(grouped(causes->of(cause)) + " " + std::string(name_of(cause)));
+  }
+}
+
 void draw_counts(Ui& ui, Session& session) {
   const auto judgement = session.bench.judgement();
   if (!judgement) {
@@ -41,6 +58,7 @@ void draw_counts(Ui& ui, Session& session) {
       ui.colored_paragraph(ui.palette.warn, "\xE2\x97\x8B " + grouped(errors.holes) + " holes");
     if (errors.leaks > 0)
       ui.colored_paragraph(ui.palette.accent, "\xE2\x96\xA1 " + grouped(errors.leaks) + " leaks");
+    draw_causes(ui, session);
     if (ui.button("\xE2\x86\x90 previous", "The wrong pixel before (Shift N)")) go_to_failure(session, -1);
     ImGui::SameLine();
     if (ui.button("next \xE2\x86\x92", "The next wrong pixel (N)")) go_to_failure(session, 1);

@@ -3,65 +3,45 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
+
+#include "window/causes.h"
+#include "window/outline.h"
 
 namespace hsr::window {
 namespace {
-
-ImU32 color_of(const Palette& palette, Verdict verdict) {
-  if (verdict == Verdict::wrong) return palette.bad;
-  return verdict == Verdict::hole ? palette.warn : palette.accent;
-}
-
-/// A cross for a wrong pixel, a ring for a hole, a square for a leak; dark below, so that it is seen on any
-/// colour.
-void draw_glyph(ImDrawList& list, const ImVec2& middle, float radius, float stroke, ImU32 color,
-                Verdict verdict) {
-  const auto draw = [&](ImU32 ink, float width) {
-    const ImVec2 least = {middle.x - radius, middle.y - radius};
-    const ImVec2 greatest = {middle.x + radius, middle.y + radius};
-    if (verdict == Verdict::wrong) {
-      list.AddLine(least, greatest, ink, width);
-      list.AddLine({least.x, greatest.y}, {greatest.x, least.y}, ink, width);
-    } else if (verdict == Verdict::hole) {
-      list.AddCircle(middle, radius, ink, 0, width);
-    } else {
-      list.AddRect(least, greatest, ink, 0.0F, 0, width);
-    }
-  };
-  draw(IM_COL32(0, 0, 0, 230), 4.0F * stroke);
-  draw(color, 2.0F * stroke);
-}
 
 /// What stands for the failures in a square of the screen.
 struct Crowd {
   glm::vec2 sum{0.0F};
   float count = 0.0F;
-  Verdict verdict = Verdict::right;
+  Cause cause = Cause::unknown;
 };
 
 }  // namespace
 
 void draw_failures(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list) {
   const auto judgement = session.bench.judgement();
-  if (!judgement) return;
+  const auto causes = session.bench.causes();
+  if (!judgement || !causes) return;
   // Squares of the screen in which there is one mark at most, so that there are never too many.
   const float square = std::max(1.6F * ui.em, place.zoom);
-  std::map<std::pair<int, int>, Crowd> crowds;
-  for (const std::uint32_t pixel : judgement->failed) {
-    const glm::vec2 raster(static_cast<float>(pixel % static_cast<std::uint32_t>(place.size.width)) + 0.5F,
-                           static_cast<float>(pixel / static_cast<std::uint32_t>(place.size.width)) + 0.5F);
-    const ImVec2 at = place.screen(raster);
+  std::map<std::tuple<int, int, Cause>, Crowd> crowds;
+  const auto width = static_cast<std::uint32_t>(place.size.width);
+  for (std::size_t pixel = 0; pixel < causes->pair_at.size(); ++pixel) {
+    const std::uint32_t pair = causes->pair_at[pixel];
+    if (pair == background_id) continue;
+    const ImVec2 at = place.screen({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
     if (!place.contains(at)) continue;
-    Crowd& crowd = crowds[{static_cast<int>(at.x / square), static_cast<int>(at.y / square)}];
+    const Cause cause = causes->pairs[pair].cause;
+    Crowd& crowd = crowds[{static_cast<int>(at.x / square), static_cast<int>(at.y / square), cause}];
     crowd.sum += glm::vec2(at.x, at.y);
     crowd.count += 1.0F;
-    crowd.verdict = std::max(crowd.verdict, judgement->verdicts[pixel]);
   }
   const float radius = std::min(0.32F * ui.em, 0.4F * square);
   for (const auto& [cell, crowd] : crowds) {
     const glm::vec2 middle = crowd.sum / crowd.count;
-    draw_glyph(list, {middle.x, middle.y}, radius, ui.stroke, color_of(ui.palette, crowd.verdict),
-               crowd.verdict);
+    draw_cause(list, {middle.x, middle.y}, radius, ui.stroke, std::get<Cause>(cell), session.bench.state.theme);
   }
 }
 
@@ -96,6 +76,48 @@ void draw_selection(Ui& ui, Session& session, const PicturePlace& place, ImDrawL
   greatest = {greatest.x + gap, greatest.y + gap};
   list.AddRect(least, greatest, IM_COL32(0, 0, 0, 255), 0.0F, 0, 5.0F * ui.stroke);
   list.AddRect(least, greatest, IM_COL32(255, 255, 255, 255), 0.0F, 0, 2.0F * ui.stroke);
+}
+
+namespace {
+
+void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector<glm::dvec2>& polygon, ImU32 ink,
+                  float width) {
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    list.AddLine(place.screen(polygon[k]), place.screen(polygon[(k + 1) % polygon.size()]), ink, width);
+  }
+}
+
+}  // namespace
+
+void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list, ImU32 ink) {
+  const std::vector<glm::dvec2> polygon = outline(view, id);
+  draw_polygon(list, place, polygon, IM_COL32(0, 0, 0, 200), 4.5F * ui.stroke);
+  draw_polygon(list, place, polygon, ink, 2.0F * ui.stroke);
+}
+
+const FailingPair* failing_pair(const Session& session) {
+  const auto causes = session.bench.causes();
+  const auto pixel = session.pixel_in_question();
+  const auto picture = session.bench.picture();
+  if (!causes || !pixel || !picture || pixel->x >= picture->frame.width || pixel->y >= picture->frame.height) {
+    return nullptr;
+  }
+  const std::uint32_t pair = causes->pair_at[picture->frame.index(pixel->x, pixel->y)];
+  return pair == background_id ? nullptr : &causes->pairs[pair];
+}
+
+void draw_failing_pair(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list) {
+  const FailingPair* pair = failing_pair(session);
+  const auto truth = session.bench.truth();
+  if (pair == nullptr || !truth) return;
+  for (const std::uint32_t id : pair->cycle) draw_outline(ui, truth->view, id, place, list, ui.palette.faint_text);
+  draw_outline(ui, truth->view, pair->shown, place, list, ui.palette.first);
+  draw_outline(ui, truth->view, pair->nearest, place, list, ui.palette.second);
+  if (pair->cause != Cause::interpenetration) return;
+  const ImVec2 from = place.screen(pair->crossing[0]);
+  const ImVec2 to = place.screen(pair->crossing[1]);
+  list.AddLine(from, to, IM_COL32(0, 0, 0, 255), 6.0F * ui.stroke);
+  list.AddLine(from, to, IM_COL32(255, 255, 255, 255), 3.0F * ui.stroke);
 }
 
 }  // namespace hsr::window

@@ -186,6 +186,7 @@ void draw_picture(Ui& ui, Session& session, const Area& area) {
         draw_failures(ui, session, place, list);
         list.PopClipRect();
       }
+      draw_failing_pair(ui, session, place, list);
       draw_selection(ui, session, place, list);
       list.PopClipRect();
     }

@@ -63,4 +63,14 @@ Judgement judge(const Rendered& rendered, const Truth& truth, const Progress& pr
   return judgement;
 }
 
+OrderingFailures find_causes(const PictureKey& key, const Surroundings& given, const Rendered& rendered,
+                             const Truth& truth, const Progress& progress) {
+  const AlgorithmSpec spec = parse_algorithm_spec(key.algorithm);
+  const RenderOptions options = {given.threads, key.skips_off, progress};
+  OrderingFailures failures = find_failures(truth.view, spec, options, rendered.frame, *truth.answer,
+                                            truth.nearest, truth.frame.color);
+  require_going(progress, "finding causes");
+  return failures;
+}
+
 }  // namespace hsr::window

@@ -6,6 +6,7 @@
 
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
+#include "failures/ordering_failures.h"
 #include "window/work/rendered.h"
 
 namespace hsr::window {
@@ -31,6 +32,10 @@ struct Judgement {
   std::vector<Verdict> verdicts;      ///< per pixel, row by row
   std::vector<std::uint32_t> failed;  ///< the pixels that are not right, row by row
 };
+
+/// Why the wrong pixels are wrong. `key` made the picture.
+OrderingFailures find_causes(const PictureKey& key, const Surroundings& given, const Rendered& rendered,
+                             const Truth& truth, const Progress& progress);
 
 Judgement judge(const Rendered& rendered, const Truth& truth, const Progress& progress);
 
