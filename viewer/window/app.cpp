@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "window/actions.h"
 #include "window/camera_motion.h"
+#include "window/files.h"
 #include "window/panels/panels.h"
+#include "window/playing.h"
 
 namespace hsr::window {
 namespace {
@@ -73,6 +76,7 @@ void App::frame() {
   last_frame_ = now;
   session_.now += passed;
   fly(passed);
+  play(session_, passed);
   set_fonts();
   session_.bench.update(session_.now, session_.picture_room);
   bridge_.begin_frame(static_cast<float>(passed));
@@ -84,7 +88,8 @@ void App::frame() {
   SDL_SetRenderDrawColor(window_.renderer(), 0, 0, 0, 255);
   SDL_RenderClear(window_.renderer());
   bridge_.draw(*ImGui::GetDrawData());
-  animating_ = session_.bench.state.comparing == Comparing::blink;
+  if (std::exchange(session_.screenshot, false)) save_window(session_, window_);
+  animating_ = session_.bench.state.comparing == Comparing::blink || session_.playing;
 }
 
 void App::take(const SDL_Event& event) {
@@ -177,6 +182,7 @@ void App::draw_panels() {
   }
   draw_picture(ui_, session_, layout.picture);
   if (layout.right.size.x > 0.0F) draw_pixel_panel(ui_, session_, layout.right);
+  if (layout.steps.size.y > 0.0F) draw_steps_panel(ui_, session_, layout.steps);
   draw_status(ui_, session_, layout.status);
   draw_key_card(ui_, session_);
 }

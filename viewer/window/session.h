@@ -18,6 +18,13 @@ struct ShownPicture {
   Theme theme = Theme::dark;
 };
 
+/// What an overlay's picture shows: whether there is one, and the ends of its scale; empty without one.
+struct OverlayPicture {
+  bool there = false;
+  std::string least;
+  std::string greatest;
+};
+
 /// An open window: the workbench, and what is not worth keeping when the window closes.
 struct Session {
   Session(std::function<void()> wake, int threads) : bench(std::move(wake), threads) {}
@@ -39,6 +46,14 @@ struct Session {
   ShownPicture shown_other;
   ShownPicture shown_difference;
   ShownPicture shown_overlay;
+
+  Overlay overlay_kind = Overlay::none;  ///< what shown_overlay shows
+  OverlayPicture overlay_made;
+  bool screenshot = false;  ///< the window is to be saved once it is drawn
+  bool playing = false;
+  double step_rest = 0.0;  ///< part of a step that playing has come to
+  std::optional<Camera> outside_camera;
+  std::uint64_t outside_of = 0;  ///< the model it is for
 
   void tell(const std::string& text) {
     constexpr double seconds = 6.0;

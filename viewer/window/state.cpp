@@ -21,4 +21,9 @@ std::span<const std::string_view> theme_names() {
   return names;
 }
 
+std::span<const std::string_view> steps_of_names() {
+  static constexpr std::array<std::string_view, 3> names = {"all", "pixel", "face"};
+  return names;
+}
+
 }  // namespace hsr::window

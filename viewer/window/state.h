@@ -17,7 +17,10 @@ namespace hsr::window {
 enum class Comparing : std::uint8_t { off, wiper, side_by_side, blink, difference };
 
 /// What is drawn over the picture.
-enum class Overlay : std::uint8_t { none, errors, overdraw, depth, face, color_error };
+enum class Overlay : std::uint8_t { none, errors, list_length, depth, face, color_error };
+
+/// Whose steps are shown: all, or those at the selected pixel, or those about the face that it shows.
+enum class StepsOf : std::uint8_t { all, pixel, face };
 
 /// Colours of the interface.
 enum class Theme : std::uint8_t { dark, light };
@@ -61,7 +64,7 @@ struct State {
   bool stepping = false;   ///< shows the algorithm's steps and the picture after step `step`
   std::uint64_t step = 0;  ///< how many steps are done
   float speed = 10.0F;     ///< steps a second when playing
-  std::string steps_of;    ///< whose steps: "" all, "pixel" or "face" of the selected one
+  StepsOf steps_of = StepsOf::all;  ///< which steps
 
   Theme theme = Theme::dark;
   float scale = 0.0F;  ///< of the interface; 0: as the display asks
@@ -73,5 +76,6 @@ struct State {
 std::span<const std::string_view> comparing_names();
 std::span<const std::string_view> overlay_names();
 std::span<const std::string_view> theme_names();
+std::span<const std::string_view> steps_of_names();
 
 }  // namespace hsr::window

@@ -29,7 +29,12 @@ Workbench::Workbench(std::function<void()> wake, int threads)
       other_lane_(wake),
       truth_lane_(wake),
       judgement_lane_(wake),
-      causes_lane_(wake) {}
+      causes_lane_(wake),
+      story_lane_(wake),
+      trace_lane_(wake),
+      moment_lane_(wake),
+      marks_lane_(wake),
+      lengths_lane_(wake) {}
 
 template <class Self, class Visit>
 void Workbench::for_each_lane(Self& self, Visit visit) {
@@ -39,6 +44,11 @@ void Workbench::for_each_lane(Self& self, Visit visit) {
   visit("exact answer", self.truth_lane_);
   visit("comparison", self.judgement_lane_);
   visit("causes", self.causes_lane_);
+  visit("pixel", self.story_lane_);
+  visit("steps", self.trace_lane_);
+  visit("step", self.moment_lane_);
+  visit("marks", self.marks_lane_);
+  visit("lists", self.lengths_lane_);
 }
 
 Extent Workbench::picture_size() const { return state.picture.value_or(panel_); }
@@ -82,6 +92,11 @@ void Workbench::update(double seconds, Extent panel) {
   (void)truth_lane_.poll();
   (void)judgement_lane_.poll();
   (void)causes_lane_.poll();
+  (void)story_lane_.poll();
+  (void)trace_lane_.poll();
+  (void)moment_lane_.poll();
+  (void)marks_lane_.poll();
+  (void)lengths_lane_.poll();
   settling_ = now_ - camera_moved_ < rest_seconds;
   want_model();
   if (!model()) return;
@@ -89,6 +104,7 @@ void Workbench::update(double seconds, Extent panel) {
   if (!model_is_current()) return;
   want_pictures();
   want_truth();
+  want_steps();
 }
 
 bool Workbench::model_is_current() const {
@@ -178,6 +194,13 @@ std::shared_ptr<const Judgement> Workbench::judgement() const {
   if (!model_is_current() || !judgement_lane_.result() || !(*judgement_lane_.result_key() == picture_key()))
     return nullptr;
   return judgement_lane_.result();
+}
+
+State Workbench::exact_state() const {
+  State exact = state;
+  exact.picture = picture_size();
+  if (model_is_current()) exact.camera = camera();
+  return exact;
 }
 
 void Workbench::move_camera(const Camera& camera) {

@@ -10,6 +10,8 @@
 #include "window/state.h"
 #include "window/work/model.h"
 #include "window/work/rendered.h"
+#include "window/work/steps.h"
+#include "window/work/story.h"
 #include "window/work/truth.h"
 
 namespace hsr::window {
@@ -53,6 +55,24 @@ class Workbench {
   /// Why its wrong pixels are wrong; null too where all are right.
   std::shared_ptr<const OrderingFailures> causes() const;
 
+  /// The story of the pixel that was last asked for by want_story; null unless it is of the present state.
+  std::shared_ptr<const Story> story() const;
+  /// Says which pixel the panel explains; nothing if none.
+  void want_story(const std::optional<glm::ivec2>& pixel) { story_pixel_ = pixel; }
+
+  /// The steps of the present picture, the picture after state.step of them, and steps worth going to; null
+  /// unless they are of the present state, but for the moment, which may be one of shortly before.
+  std::shared_ptr<const Trace> trace() const;
+  std::shared_ptr<const Moment> moment() const;
+  std::shared_ptr<const Marks> marks() const;
+  /// The face that the selected pixel shows; background_id if none.
+  std::uint32_t selected_face() const;
+  /// How many triangles cover each pixel, by the exact lists; null unless it is of the present view.
+  std::shared_ptr<const std::vector<std::uint32_t>> list_lengths() const;
+
+  /// The state with everything said that otherwise follows from the window: what is saved.
+  State exact_state() const;
+
   /// Moves the camera: until it rests, pictures are as coarse as is needed to follow.
   void move_camera(const Camera& camera);
   /// Another scene, from its own camera. A name that does not exist is told by problems().
@@ -93,6 +113,10 @@ class Workbench {
   void want_pictures();
   void want_truth();
   void want_causes();
+  void want_steps();
+  TraceKey trace_key() const;
+  MomentKey moment_key() const;
+  MarksKey marks_key() const;
   int coarseness() const;
 
   int threads_;
@@ -110,6 +134,8 @@ class Workbench {
   // A renderer keeps what it prepared, so each lane has its own.
   std::shared_ptr<PreparedRenderers> prepared_ = std::make_shared<PreparedRenderers>();
   std::shared_ptr<PreparedRenderers> other_prepared_ = std::make_shared<PreparedRenderers>();
+  std::shared_ptr<PreparedRenderers> story_prepared_ = std::make_shared<PreparedRenderers>();
+  std::optional<glm::ivec2> story_pixel_;
   std::shared_ptr<const Scene> unmoved_;  // the scene as it was read
   std::string unmoved_name_;
 
@@ -119,6 +145,11 @@ class Workbench {
   Lane<ViewKey, Truth> truth_lane_;
   Lane<PictureKey, Judgement> judgement_lane_;
   Lane<PictureKey, OrderingFailures> causes_lane_;
+  Lane<StoryKey, Story> story_lane_;
+  Lane<TraceKey, Trace> trace_lane_;
+  Lane<MomentKey, Moment> moment_lane_;
+  Lane<MarksKey, Marks> marks_lane_;
+  Lane<ViewKey, std::vector<std::uint32_t>> lengths_lane_;
 };
 
 }  // namespace hsr::window

@@ -1,4 +1,5 @@
 #include "window/panels/panels.h"
+#include "window/playing.h"
 
 namespace hsr::window {
 
@@ -16,8 +17,12 @@ void draw_bar(Ui& ui, Session& session, const Area& area) {
     }
     ImGui::SameLine();
   }
-  const float width = ImGui::CalcTextSize("Lecture  Light  Keys").x + 7.0F * ui.em;
+  const float width = ImGui::CalcTextSize("Steps Outside Lecture Light Keys").x + 6.5F * ui.em;
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
+  if (ui.toggle("Steps", state.stepping, "The algorithm's steps, forward and back (P)")) toggle_stepping(session);
+  ImGui::SameLine();
+  if (ui.toggle("Outside", state.outside, "A second view, from outside (V)")) state.outside = !state.outside;
+  ImGui::SameLine();
   if (ui.toggle("Lecture", state.lecture, "Everything larger, fewer panels (L)"))
     state.lecture = !state.lecture;
   ImGui::SameLine();

@@ -120,4 +120,21 @@ void draw_failing_pair(Ui& ui, Session& session, const PicturePlace& place, ImDr
   list.AddLine(from, to, IM_COL32(255, 255, 255, 255), 3.0F * ui.stroke);
 }
 
+void draw_step(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list) {
+  const auto moment = session.bench.moment();
+  const auto picture = session.bench.picture();
+  if (!moment || !moment->event || !picture) return;
+  const Event& event = *moment->event;
+  if (event.q != event.p) draw_outline(ui, picture->view, event.q, place, list, ui.palette.second);
+  draw_outline(ui, picture->view, event.p, place, list, ui.palette.first);
+  if (event.i < 0) return;
+  const ImVec2 least = place.screen({event.i, event.j});
+  const ImVec2 greatest = place.screen({event.i + 1, event.j + 1});
+  const float gap = std::max(0.0F, (0.5F * ui.em - (greatest.x - least.x)) / 2.0F);
+  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, IM_COL32(0, 0, 0, 255), 0.0F, 0,
+               4.0F * ui.stroke);
+  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, ui.palette.first, 0.0F, 0,
+               2.0F * ui.stroke);
+}
+
 }  // namespace hsr::window

@@ -23,6 +23,8 @@ void draw_compare_panel(Ui& ui, Session& session);
 void draw_picture(Ui& ui, Session& session, const Area& area);
 /// Everything about one pixel.
 void draw_pixel_panel(Ui& ui, Session& session, const Area& area);
+/// The time line, its buttons, and the present step in words.
+void draw_steps_panel(Ui& ui, Session& session, const Area& area);
 /// Along the bottom: work that is going on, errors.
 void draw_status(Ui& ui, Session& session, const Area& area);
 /// The list of keys over everything.

@@ -2,7 +2,9 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "window/panels/outside_view.h"
 #include "window/panels/overlay_marks.h"
+#include "window/panels/overlay_picture.h"
 #include "window/panels/panels.h"
 #include "window/panels/picture_mouse.h"
 
@@ -113,19 +115,27 @@ void draw_wiper(Ui& ui, Session& session, ImDrawList& list, const Area& area) {
 }
 
 /// The pictures themselves; returns the areas that show one, each with its caption.
-std::vector<std::pair<Area, std::string>> draw_pictures(Session& session, ImDrawList& list, const Area& area,
+std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session, ImDrawList& list, const Area& area,
                                                         Extent size) {
   const Workbench& bench = session.bench;
   const State& state = bench.state;
   const auto picture = bench.picture();
-  show(session, session.shown_picture, picture, picture->frame);
+  const auto moment = state.stepping ? bench.moment() : nullptr;
+  if (moment) {
+    show(session, session.shown_picture, moment, moment->frame);
+  } else {
+    show(session, session.shown_picture, picture, picture->frame);
+  }
   const std::string own = state.algorithm.text();
   const auto place = [&](const Area& where) {
     return place_picture(where, size, state.magnification, state.centre);
   };
   const Other other = state.comparing == Comparing::off ? Other{} : other_of(bench);
   if (other.frame == nullptr) {
-    draw_clipped(list, session.shown_picture.texture, place(area), area);
+    const OverlayPicture overlay = make_overlay_picture(session);
+    const Texture& texture = overlay.there ? session.shown_overlay.texture : session.shown_picture.texture;
+    draw_clipped(list, texture, place(area), area);
+    if (overlay.there) draw_legend(ui, list, area, overlay);
     return {{area, own}};
   }
   show(session, session.shown_other, other.source, *other.frame);
@@ -159,11 +169,15 @@ std::vector<std::pair<Area, std::string>> draw_pictures(Session& session, ImDraw
 
 }  // namespace
 
-void draw_picture(Ui& ui, Session& session, const Area& area) {
+void draw_picture(Ui& ui, Session& session, const Area& whole) {
+  // The view from outside takes the lower part.
+  constexpr float outside_part = 0.42F;
+  const bool outside = session.bench.state.outside;
+  const Area area = {whole.corner, {whole.size.x, outside ? (1.0F - outside_part) * whole.size.y : whole.size.y}};
   session.picture_room = {static_cast<int>(area.size.x), static_cast<int>(area.size.y)};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.palette.canvas);
-  ui.begin_panel("picture", area.corner, area.size,
+  ui.begin_panel("picture", whole.corner, whole.size,
                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar |
                      ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleColor();
@@ -173,7 +187,7 @@ void draw_picture(Ui& ui, Session& session, const Area& area) {
   if (bench.model() && bench.picture()) {
     const State& state = bench.state;
     const Extent size = bench.picture_size();
-    const auto shown = draw_pictures(session, list, area, size);
+    const auto shown = draw_pictures(ui, session, list, area, size);
     const bool halves = shown.size() == 2 && state.comparing == Comparing::side_by_side;
     for (std::size_t k = 0; k < (halves ? 2 : 1); ++k) {
       const Area where = halves ? shown[k].first : area;
@@ -186,7 +200,11 @@ void draw_picture(Ui& ui, Session& session, const Area& area) {
         draw_failures(ui, session, place, list);
         list.PopClipRect();
       }
-      draw_failing_pair(ui, session, place, list);
+      if (state.stepping) {
+        draw_step(ui, session, place, list);
+      } else {
+        draw_failing_pair(ui, session, place, list);
+      }
       draw_selection(ui, session, place, list);
       list.PopClipRect();
     }
@@ -201,6 +219,8 @@ void draw_picture(Ui& ui, Session& session, const Area& area) {
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.note("canvas");
     use_mouse(session, place_picture(mouse_area, size, state.magnification, state.centre));
+    const Area below = {{whole.corner.x, whole.corner.y + area.size.y}, {whole.size.x, whole.size.y - area.size.y}};
+    if (outside) draw_outside_view(ui, session, below);
   }
   ui.end_panel();
 }

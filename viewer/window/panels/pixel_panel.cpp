@@ -1,26 +1,117 @@
+#include <SDL.h>
+
+#include "failures/ordering_failures.h"
 #include "text_layout.h"
+#include "window/files.h"
+#include "window/panels/cycle_graph.h"
+#include "window/panels/depth_plot.h"
+#include "window/panels/overlay_marks.h"
 #include "window/panels/panels.h"
 
 namespace hsr::window {
+namespace {
+
+void color_cell(Ui& ui, ImU32 color) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float side = ImGui::GetTextLineHeight();
+  ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, color);
+  ImGui::GetWindowDrawList()->AddRect(at, {at.x + side, at.y + side}, ui.palette.line);
+  ImGui::Dummy({side, side});
+}
+
+void draw_row(Ui& ui, const Story& story, std::size_t k) {
+  const exact::Fragment& fragment = story.pixel.list[k];
+  const auto cell = [](const std::string& text) {
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(text.c_str());
+  };
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  color_cell(ui, screen_color(story.colors[k]));
+  // An arrow says which one is shown, also to who does not see its colour.
+  cell((fragment.id == story.pixel.id ? "\xE2\x86\x92 " : "") + std::to_string(fragment.id));
+  cell((fragment.tied ? "= " : "") + significant(fragment.depth, 6));
+  cell(significant(story.colors[k].a, 2));
+  cell(story.fronts[k] ? "front" : "back");
+  ImGui::TableNextColumn();
+  color_cell(ui, screen_color(story.so_far[k]));
+}
+
+void draw_list(Ui& ui, const Story& story) {
+  const std::size_t count = story.pixel.list.size();
+  constexpr std::size_t most_rows = 8;
+  const float height = (static_cast<float>(std::min(count, most_rows)) + 1.6F) * ImGui::GetTextLineHeightWithSpacing();
+  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  ui.pause_recording();
+  if (ImGui::BeginTable("list", 6, flags, {0.0F, height})) {
+    ui.resume_recording();
+    ImGui::TableSetupScrollFreeze(0, 1);
+    for (const char* title : {"", "triangle", "depth", "opacity", "side", "so far"}) ImGui::TableSetupColumn(title);
+    ImGui::TableHeadersRow();
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count));
+    while (clipper.Step()) {
+      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) draw_row(ui, story, static_cast<std::size_t>(k));
+    }
+    ImGui::EndTable();
+  }
+}
+
+void draw_history(Ui& ui, const Story& story) {
+  for (const HistoryLine& line : story.history) {
+    const char* mark = !line.decided ? "\xE2\x80\xA2 " : line.passed ? "\xE2\x9C\x93 " : "\xE2\x9C\x97 ";
+    ImU32 color = ui.palette.text;
+    if (line.decided) color = line.passed ? ui.palette.good : ui.palette.faint_text;
+    if (line.departure) color = ui.palette.bad;
+    ui.colored_paragraph(color, mark + line.sentence + (line.departure ? "  \xE2\x86\x90 here it departs from the exact answer" : ""));
+  }
+  if (story.history_total > story.history.size()) {
+    ui.faint_paragraph("and " + grouped(story.history_total - story.history.size()) + " more steps");
+  }
+}
+
+void draw_copies(Ui& ui, Session& session, const Story& story) {
+  if (ui.button("Copy", "All of this as text (also: hsr pixel)")) {
+    SDL_SetClipboardText(story.text.c_str());
+    session.tell("copied");
+  }
+  ImGui::SameLine();
+  if (ui.button("CSV", "The list as a table in a file")) save_list(session, story);
+  ImGui::SameLine();
+  bool log_depth = session.bench.state.log_depth;
+  if (ui.checkbox("log depth", log_depth, "Depths by their order of magnitude")) session.bench.state.log_depth = log_depth;
+}
+
+void draw_story(Ui& ui, Session& session, const Story& story) {
+  ui.paragraph(story.explanation);
+  if (const FailingPair* pair = failing_pair(session)) {
+    ui.colored_paragraph(ui.palette.bad, "\xE2\x9C\x97 " + sentence(*pair));
+    if (!pair->cycle.empty()) draw_cycle(ui, pair->cycle, *story.scene);
+  }
+  if (!story.pixel.list.empty() && ui.heading("Depth list")) {
+    draw_depth_plot(ui, story, session.bench.state.log_depth, session.bench.state.theme);
+    draw_list(ui, story);
+  }
+  draw_copies(ui, session, story);
+  if (ui.heading("What the algorithm did here")) draw_history(ui, story);
+}
+
+}  // namespace
 
 void draw_pixel_panel(Ui& ui, Session& session, const Area& area) {
   ui.begin_panel("pixel", area.corner, area.size);
   const auto pixel = session.pixel_in_question();
+  session.bench.want_story(pixel);
   if (!pixel) {
-    ui.faint_paragraph(
-        "Point at a pixel to read what is there; click to keep it. N goes to the next wrong one.");
+    ui.faint_paragraph("Point at a pixel to read what is there; click to keep it. N goes to the next wrong one.");
     ui.end_panel();
     return;
   }
-  ui.paragraph("pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y));
-  const auto picture = session.bench.picture();
-  if (picture && session.bench.picture_is_current() && pixel->x < picture->frame.width &&
-      pixel->y < picture->frame.height) {
-    const std::size_t index = picture->frame.index(pixel->x, pixel->y);
-    const std::uint32_t id = picture->frame.id[index];
-    ui.paragraph(id == background_id ? "background"
-                                     : "triangle " + std::to_string(id) + " at depth " +
-                                           significant(picture->frame.depth[index], 6));
+  ui.colored_paragraph(ui.palette.accent, "Pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y));
+  if (const auto story = session.bench.story()) {
+    draw_story(ui, session, *story);
+  } else {
+    ui.faint_paragraph("looking ...");
   }
   ui.end_panel();
 }

@@ -16,6 +16,7 @@
 #include "values.h"
 #include "window/script/expectation.h"
 #include "window/script/hands.h"
+#include "window/state_text.h"
 #include "window/text_lines.h"
 
 namespace hsr::window {
@@ -164,7 +165,7 @@ constexpr std::array commands = {
     ScriptCommand{"algorithm", "SPEC", 1, 1,
                   [](Stage& stage, Words words) {
                     stage.app.session().bench.select_algorithm(parse_algorithm_spec(words[0]));
-                    stage.hands.frames(2);
+                    stage.hands.wait();
                   }},
     ScriptCommand{"compare", "off, wiper, \"side by side\", blink or difference", 1, any,
                   [](Stage& stage, Words words) {
@@ -212,6 +213,36 @@ constexpr std::array commands = {
                   }},
     ScriptCommand{"check", "on or off", 1, 1,
                   [](Stage& stage, Words words) { stage.state().check = on_or_off(words[0]); }},
+    ScriptCommand{"step", "NUMBER, or off", 1, 1,
+                  [](Stage& stage, Words words) {
+                    stage.state().stepping = words[0] != "off";
+                    stage.app.session().playing = false;
+                    if (stage.state().stepping) {
+                      stage.state().step = static_cast<std::uint64_t>(whole("step", words[0], 0, 2000000000));
+                    }
+                    stage.hands.wait();
+                  }},
+    ScriptCommand{"steps-of", "all, pixel or face", 1, 1,
+                  [](Stage& stage, Words words) {
+                    stage.state().steps_of = static_cast<StepsOf>(one_of(words[0], steps_of_names()));
+                    stage.hands.wait();
+                  }},
+    ScriptCommand{"outside", "on or off", 1, 1,
+                  [](Stage& stage, Words words) {
+                    stage.state().outside = on_or_off(words[0]);
+                    stage.hands.frames(3);
+                  }},
+    ScriptCommand{"save", "FILE.hsr", 1, 1,
+                  [](Stage& stage, Words words) {
+                    require_ending("save", words[0], {".hsr"});
+                    stage.hands.wait();
+                    write_state_file(stage.app.session().bench.exact_state(), words[0]);
+                  }},
+    ScriptCommand{"open", "FILE.hsr", 1, 1,
+                  [](Stage& stage, Words words) {
+                    stage.state() = read_state_file(words[0]);
+                    stage.hands.wait();
+                  }},
     ScriptCommand{"skip", "NAME on|off", 2, 2, set_skip},
     ScriptCommand{"key", "NAME, such as right, Shift+N, Ctrl+S", 1, 1,
                   [](Stage& stage, Words words) { stage.hands.key(words[0]); }},

@@ -1,0 +1,83 @@
+#include "window/work/story.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "picture.h"
+#include "pixel_text.h"
+#include "scene/errors.h"
+#include "trace/sentences.h"
+#include "view/shading.h"
+
+namespace hsr::window {
+namespace {
+
+constexpr std::size_t most_history = 400;
+
+bool decides(EventKind kind) {
+  return kind == EventKind::depth_tested || kind == EventKind::triangle_tested || kind == EventKind::compared;
+}
+
+bool meets_fragment(EventKind kind) {
+  return kind == EventKind::painted || kind == EventKind::depth_tested || kind == EventKind::fragment_stored ||
+         kind == EventKind::fragment_dropped || kind == EventKind::triangle_tested;
+}
+
+void find_own_order(Story& story) {
+  std::unordered_map<std::uint32_t, std::uint32_t> place;
+  for (std::uint32_t k = 0; k < story.pixel.list.size(); ++k) place[story.pixel.list[k].id] = k;
+  std::vector<bool> met(story.pixel.list.size(), false);
+  for (const Event& event : story.pixel.history.events) {
+    if (event.i < 0 || !meets_fragment(event.kind)) continue;
+    const auto found = place.find(event.p);
+    if (found == place.end() || met[found->second]) continue;
+    met[found->second] = true;
+    story.own_order.push_back(found->second);
+    story.painted |= event.kind == EventKind::painted;
+  }
+}
+
+void accumulate(Story& story) {
+  glm::vec4 seen(0.0F);
+  for (const exact::Fragment& fragment : story.pixel.list) {
+    const glm::vec4 color = surface_color(*story.view.scene, fragment.id);
+    story.colors.push_back(color);
+    if (!fragment.tied) seen = over(seen, color);  // of equally near ones the first counts
+    story.so_far.push_back(seen);
+  }
+}
+
+void write_history(Story& story) {
+  const Recording& history = story.pixel.history;
+  story.history_total = history.total;
+  for (std::size_t k = 0; k < std::min(history.events.size(), most_history); ++k) {
+    const Event& event = history.events[k];
+    const bool departs = story.pixel.departure && story.pixel.departure->step == history.first + k;
+    story.history.push_back({sentence(event), decides(event.kind), event.passed, departs});
+  }
+}
+
+}  // namespace
+
+Story tell_story(const StoryKey& key, const Surroundings& given, PreparedRenderers& prepared,
+                 const Progress& progress) {
+  const Stopwatch stopwatch;
+  Story story;
+  story.scene = given.model->scene;
+  story.view = view_of(given, key.picture.view);
+  const RenderOptions options = {given.threads, key.picture.skips_off, progress};
+  Renderer& renderer = *prepared.get(*given.model, key.picture, options).renderer;
+  story.pixel = tell_pixel(story.view, renderer, options, key.pixel.x, key.pixel.y);
+  if (!report_progress(progress, "looking into the pixel", 1.0)) throw InputError("stopped");
+  const AlgorithmSpec spec = parse_algorithm_spec(key.picture.algorithm);
+  story.explanation = explanation(story.view, spec, story.pixel);
+  story.fronts = fronts(story.view, story.pixel.list);
+  accumulate(story);
+  find_own_order(story);
+  write_history(story);
+  story.text = to_text(story.pixel, story.view, spec);
+  story.milliseconds = stopwatch.milliseconds();
+  return story;
+}
+
+}  // namespace hsr::window

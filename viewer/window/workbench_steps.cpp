@@ -1,0 +1,101 @@
+// What the workbench computes about single pixels and single steps.
+
+#include "window/workbench.h"
+
+namespace hsr::window {
+
+TraceKey Workbench::trace_key() const {
+  TraceKey key = {picture_key(), state.steps_of};
+  if (key.of == StepsOf::pixel && state.pixel) key.pixel = *state.pixel;
+  if (key.of == StepsOf::face) key.face = selected_face();
+  if ((key.of == StepsOf::pixel && !state.pixel) || (key.of == StepsOf::face && key.face == background_id)) {
+    key.of = StepsOf::all;
+  }
+  return key;
+}
+
+MomentKey Workbench::moment_key() const { return {trace_key(), state.step, state.pixel.value_or(glm::ivec2(-1))}; }
+
+MarksKey Workbench::marks_key() const {
+  return {trace_key(), state.pixel.value_or(glm::ivec2(-1)), selected_face(), truth() != nullptr};
+}
+
+std::uint32_t Workbench::selected_face() const {
+  if (!state.pixel || !picture_is_current()) return background_id;
+  const Frame& frame = picture()->frame;
+  if (state.pixel->x >= frame.width || state.pixel->y >= frame.height) return background_id;
+  const std::uint32_t id = frame.id[frame.index(state.pixel->x, state.pixel->y)];
+  return id == background_id ? background_id : model()->scene->triangles[id].face;
+}
+
+void Workbench::want_steps() {
+  if (!picture_is_current() || settling_) return;
+  const Extent size = picture_size();
+  if (story_pixel_ && story_pixel_->x < size.width && story_pixel_->y < size.height) {
+    const StoryKey key = {picture_key(), *story_pixel_};
+    story_lane_.want(key, true, [&] {
+      return [key, given = surroundings(), prepared = story_prepared_](const Progress& progress) {
+        return tell_story(key, given, *prepared, progress);
+      };
+    });
+  }
+  if (state.overlay == Overlay::list_length && truth()) {
+    lengths_lane_.want(view_key(), true, [&] {
+      return [exact = truth()](const Progress& progress) {
+        std::vector<std::uint32_t> lengths;
+        lengths.reserve(exact->frame.pixel_count());
+        for (int row = 0; row < exact->frame.height; ++row) {
+          const exact::DepthLists lists = exact->answer->depth_lists(row, row + 1);
+          for (std::size_t k = 0; k + 1 < lists.begin.size(); ++k) {
+            lengths.push_back(static_cast<std::uint32_t>(lists.begin[k + 1] - lists.begin[k]));
+          }
+          if (!report_progress(progress, "measuring lists", (row + 1.0) / exact->frame.height)) break;
+        }
+        return lengths;
+      };
+    });
+  }
+  if (!state.stepping) return;
+  trace_lane_.want(trace_key(), true, [&] {
+    return [key = trace_key(), given = surroundings()](const Progress& progress) {
+      return make_trace(key, given, progress);
+    };
+  });
+  const auto steps = trace();
+  if (!steps) return;
+  state.step = std::min(state.step, steps->total);
+  moment_lane_.want(moment_key(), false, [&] {
+    return [key = moment_key(), steps](const Progress&) { return find_moment(key, *steps); };
+  });
+  marks_lane_.want(marks_key(), false, [&] {
+    return [key = marks_key(), steps, exact = truth()](const Progress&) { return find_marks(key, *steps, exact); };
+  });
+}
+
+std::shared_ptr<const Story> Workbench::story() const {
+  if (!story_pixel_ || !picture_is_current() || !story_lane_.result()) return nullptr;
+  if (!(*story_lane_.result_key() == StoryKey{picture_key(), *story_pixel_})) return nullptr;
+  return story_lane_.result();
+}
+
+std::shared_ptr<const Trace> Workbench::trace() const {
+  if (!picture_is_current() || !trace_lane_.result() || !(*trace_lane_.result_key() == trace_key())) return nullptr;
+  return trace_lane_.result();
+}
+
+std::shared_ptr<const Moment> Workbench::moment() const {
+  if (!trace() || !moment_lane_.result() || !(moment_lane_.result_key()->trace == trace_key())) return nullptr;
+  return moment_lane_.result();
+}
+
+std::shared_ptr<const Marks> Workbench::marks() const {
+  if (!trace() || !marks_lane_.result() || !(*marks_lane_.result_key() == marks_key())) return nullptr;
+  return marks_lane_.result();
+}
+
+std::shared_ptr<const std::vector<std::uint32_t>> Workbench::list_lengths() const {
+  if (!model() || !lengths_lane_.result() || !(*lengths_lane_.result_key() == view_key())) return nullptr;
+  return lengths_lane_.result();
+}
+
+}  // namespace hsr::window
