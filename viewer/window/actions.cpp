@@ -119,13 +119,17 @@ constexpr std::array step_actions = {
     Action{"", nullptr, SDLK_PERIOD, shift, [](Session& session) { step_by(session, 100); }},
     Action{"", nullptr, SDLK_LESS, shift, [](Session& session) { step_by(session, -100); }},
     Action{"", nullptr, SDLK_GREATER, shift, [](Session& session) { step_by(session, 100); }},
-    Action{"Home, End", "to the beginning, to the end", SDLK_HOME, 0, [](Session& session) { go_to_step(session, 0); }},
+    Action{"Home, End", "to the beginning, to the end", SDLK_HOME, 0,
+           [](Session& session) { go_to_step(session, 0); }},
     Action{"", nullptr, SDLK_END, 0, [](Session& session) { step_by(session, std::int64_t{1} << 60); }},
     Action{"[ ]", "previous, next step of the pixel (Shift: of its face)", SDLK_LEFTBRACKET, 0,
            [](Session& session) { go_to_mark(session, MarkKind::pixel, -1); }},
-    Action{"", nullptr, SDLK_RIGHTBRACKET, 0, [](Session& session) { go_to_mark(session, MarkKind::pixel, 1); }},
-    Action{"", nullptr, SDLK_LEFTBRACKET, shift, [](Session& session) { go_to_mark(session, MarkKind::face, -1); }},
-    Action{"", nullptr, SDLK_RIGHTBRACKET, shift, [](Session& session) { go_to_mark(session, MarkKind::face, 1); }},
+    Action{"", nullptr, SDLK_RIGHTBRACKET, 0,
+           [](Session& session) { go_to_mark(session, MarkKind::pixel, 1); }},
+    Action{"", nullptr, SDLK_LEFTBRACKET, shift,
+           [](Session& session) { go_to_mark(session, MarkKind::face, -1); }},
+    Action{"", nullptr, SDLK_RIGHTBRACKET, shift,
+           [](Session& session) { go_to_mark(session, MarkKind::face, 1); }},
     Action{"X, Shift X", "next, previous exchange, cycle or split", SDLK_x, 0,
            [](Session& session) { go_to_mark(session, MarkKind::turn, 1); }},
     Action{"", nullptr, SDLK_x, shift, [](Session& session) { go_to_mark(session, MarkKind::turn, -1); }},
@@ -136,7 +140,8 @@ constexpr std::array keep_actions = {
     Action{"Ctrl S", "save all of this to a file", SDLK_s, KMOD_CTRL, save_state},
     Action{"Ctrl C, Ctrl V", "the same by the clipboard", SDLK_c, KMOD_CTRL, copy_state},
     Action{"", nullptr, SDLK_v, KMOD_CTRL, paste_state},
-    Action{"Ctrl P", "the window as PNG", SDLK_p, KMOD_CTRL, [](Session& session) { session.screenshot = true; }},
+    Action{"Ctrl P", "the window as PNG", SDLK_p, KMOD_CTRL,
+           [](Session& session) { session.screenshot = true; }},
     Action{"Ctrl I", "the picture as PNG", SDLK_i, KMOD_CTRL, save_picture},
 };
 
@@ -145,7 +150,8 @@ constexpr std::array camera_actions = {
     Action{"Shift drag", "move sideways", SDLK_UNKNOWN, 0, nullptr},
     Action{"wheel", "nearer, farther", SDLK_UNKNOWN, 0, nullptr},
     Action{"W A S D Q E", "fly: ahead, left, back, right, down, up", SDLK_UNKNOWN, 0, nullptr},
-    Action{"V", "the view from outside", SDLK_v, 0, [](Session& session) { flip(session.bench.state.outside); }},
+    Action{"V", "the view from outside", SDLK_v, 0,
+           [](Session& session) { flip(session.bench.state.outside); }},
     Action{"R", "back to where it began", SDLK_r, 0, reset_camera},
 };
 
@@ -171,12 +177,9 @@ constexpr std::array window_actions = {
 
 std::span<const ActionGroup> action_groups() {
   static const std::array groups = {
-      ActionGroup{"See", algorithm_actions},
-      ActionGroup{"Pixel", pixel_actions},
-      ActionGroup{"Steps", step_actions},
-      ActionGroup{"Camera", camera_actions},
-      ActionGroup{"Keep", keep_actions},
-      ActionGroup{"Window", window_actions},
+      ActionGroup{"See", algorithm_actions}, ActionGroup{"Pixel", pixel_actions},
+      ActionGroup{"Steps", step_actions},    ActionGroup{"Camera", camera_actions},
+      ActionGroup{"Keep", keep_actions},     ActionGroup{"Window", window_actions},
   };
   return groups;
 }

@@ -8,6 +8,7 @@
 #include "window/actions.h"
 #include "window/camera_motion.h"
 #include "window/files.h"
+#include "window/moving.h"
 #include "window/panels/panels.h"
 #include "window/playing.h"
 
@@ -78,6 +79,7 @@ void App::frame() {
   fly(passed);
   play(session_, passed);
   set_fonts();
+  move_parameter(session_, passed);
   session_.bench.update(session_.now, session_.picture_room);
   bridge_.begin_frame(static_cast<float>(passed));
   ImGui::NewFrame();
@@ -89,7 +91,8 @@ void App::frame() {
   SDL_RenderClear(window_.renderer());
   bridge_.draw(*ImGui::GetDrawData());
   if (std::exchange(session_.screenshot, false)) save_window(session_, window_);
-  animating_ = session_.bench.state.comparing == Comparing::blink || session_.playing;
+  animating_ = session_.bench.state.comparing == Comparing::blink || session_.playing ||
+               session_.moving_parameter >= 0;
 }
 
 void App::take(const SDL_Event& event) {
@@ -171,6 +174,9 @@ void App::draw_panels() {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   }
   const Layout layout = lay_out(io.DisplaySize, {ui_.em, !state.lecture, true, state.stepping});
+  // The picture has the same pixels whether steps are shown below it or not.
+  const ImVec2 room = lay_out(io.DisplaySize, {ui_.em, !state.lecture, true, false}).picture.size;
+  session_.picture_room = {static_cast<int>(room.x), static_cast<int>(room.y)};
   draw_bar(ui_, session_, layout.bar);
   if (layout.left.size.x > 0.0F) {
     ui_.begin_panel("settings", layout.left.corner, layout.left.size);

@@ -38,7 +38,8 @@ std::filesystem::path free_name(const std::string& name, const std::string& endi
 }
 
 void save_state(Session& session) {
-  save(session, "hsr", ".hsr", [&](const auto& file) { write_state_file(session.bench.exact_state(), file); });
+  save(session, "hsr", ".hsr",
+       [&](const auto& file) { write_state_file(session.bench.exact_state(), file); });
 }
 
 void copy_state(Session& session) {
@@ -75,12 +76,13 @@ void save_list(Session& session, const Story& story) {
   for (std::size_t k = 0; k < story.pixel.list.size(); ++k) {
     const exact::Fragment& fragment = story.pixel.list[k];
     table += std::to_string(k) + "," + std::to_string(fragment.id) + "," +
-             std::to_string(story.scene->triangles[fragment.id].face) + "," + significant(fragment.depth, 17) + "," +
-             significant(story.colors[k].a, 9) + "," + (story.fronts[k] ? "front" : "back") + "," +
-             (fragment.tied ? "yes" : "no") + "\n";
+             std::to_string(story.scene->triangles[fragment.id].face) + "," +
+             significant(fragment.depth, 17) + "," + significant(story.colors[k].a, 9) + "," +
+             (story.fronts[k] ? "front" : "back") + "," + (fragment.tied ? "yes" : "no") + "\n";
   }
   save(session, "list", ".csv", [&](const auto& file) {
-    write_file_atomically(file, [&](const std::filesystem::path& temporary) { write_bytes(temporary, table); });
+    write_file_atomically(file,
+                          [&](const std::filesystem::path& temporary) { write_bytes(temporary, table); });
   });
 }
 

@@ -8,7 +8,7 @@ namespace {
 // Sizes in heights of the letters.
 constexpr float bar_height = 2.6F;
 constexpr float status_height = 2.0F;
-constexpr float steps_height = 8.0F;
+constexpr float steps_height = 10.5F;
 constexpr float left_width = 18.5F;
 constexpr float right_width = 23.0F;
 /// The picture keeps this part of the window's width, whatever the panels ask for.

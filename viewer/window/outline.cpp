@@ -1,5 +1,8 @@
 #include "window/outline.h"
 
+#include <array>
+#include <glm/matrix.hpp>
+
 namespace hsr::window {
 namespace {
 
@@ -46,6 +49,23 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> seen_line(const View& view, con
   if (before < 0.0) a = cut;
   if (after < 0.0) b = cut;
   return std::pair(raster(view, a), raster(view, b));
+}
+
+glm::dvec3 world_at(const View& view, const glm::dvec2& raster, double depth) {
+  // Clip x and y follow from the raster position, w is the depth; the rows for x, y and w determine the
+  // point.
+  const glm::dmat4& m = view.clip_from_world;
+  const glm::dvec3 wanted((2.0 * raster.x / view.width - 1.0) * depth,
+                          (1.0 - 2.0 * raster.y / view.height) * depth, depth);
+  glm::dmat3 rows(0.0);
+  glm::dvec3 offset(0.0);
+  constexpr std::array<int, 3> row_numbers = {0, 1, 3};
+  for (int k = 0; k < 3; ++k) {
+    for (int column = 0; column < 3; ++column)
+      rows[column][k] = m[column][row_numbers[static_cast<std::size_t>(k)]];
+    offset[k] = m[3][row_numbers[static_cast<std::size_t>(k)]];
+  }
+  return glm::inverse(rows) * (wanted - offset);
 }
 
 }  // namespace hsr::window

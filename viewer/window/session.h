@@ -51,7 +51,11 @@ struct Session {
   OverlayPicture overlay_made;
   bool screenshot = false;  ///< the window is to be saved once it is drawn
   bool playing = false;
-  double step_rest = 0.0;  ///< part of a step that playing has come to
+  std::uint32_t held_triangle = background_id;  ///< whose corners have handles
+  bool dragged_triangle = false;                ///< one of them is being dragged
+  int moving_parameter = -1;                    ///< the scene's parameter that goes up and down, or -1
+  double moving_phase = 0.0;                    ///< in turns
+  double step_rest = 0.0;                       ///< part of a step that playing has come to
   std::optional<Camera> outside_camera;
   std::uint64_t outside_of = 0;  ///< the model it is for
 

@@ -11,7 +11,7 @@ std::span<const std::string_view> comparing_names() {
 }
 
 std::span<const std::string_view> overlay_names() {
-  static constexpr std::array<std::string_view, 6> names = {"none",  "errors", "overdraw",
+  static constexpr std::array<std::string_view, 6> names = {"none",  "errors", "list length",
                                                             "depth", "face",   "color error"};
   return names;
 }

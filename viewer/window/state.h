@@ -61,9 +61,9 @@ struct State {
   bool log_depth = false;  ///< of the plot of a pixel's fragments
   bool check = true;       ///< holds every picture against the exact answer
 
-  bool stepping = false;   ///< shows the algorithm's steps and the picture after step `step`
-  std::uint64_t step = 0;  ///< how many steps are done
-  float speed = 10.0F;     ///< steps a second when playing
+  bool stepping = false;            ///< shows the algorithm's steps and the picture after step `step`
+  std::uint64_t step = 0;           ///< how many steps are done
+  float speed = 10.0F;              ///< steps a second when playing
   StepsOf steps_of = StepsOf::all;  ///< which steps
 
   Theme theme = Theme::dark;

@@ -179,9 +179,13 @@ const std::array entries = {
           }},
     Entry{"speed", "NUMBER", 1, false,
           [](const State& s) { return line_if(s.speed != State().speed, text_of(s.speed)); },
-          [](State& s, Words words) { s.speed = static_cast<float>(read_within("speed", words[0], 1.0, 1e6)); }},
+          [](State& s, Words words) {
+            s.speed = static_cast<float>(read_within("speed", words[0], 1.0, 1e6));
+          }},
     Entry{"steps-of", "all, pixel or face", 1, false,
-          [](const State& s) { return line_if(s.steps_of != StepsOf::all, name_of(s.steps_of, steps_of_names())); },
+          [](const State& s) {
+            return line_if(s.steps_of != StepsOf::all, name_of(s.steps_of, steps_of_names()));
+          },
           [](State& s, Words words) { read_name(s.steps_of, words[0], steps_of_names()); }},
     Entry{"outside", "on or off", 1, false,
           [](const State& s) { return line_if(s.outside, on_or_off(s.outside)); },

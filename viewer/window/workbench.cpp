@@ -79,7 +79,7 @@ Surroundings Workbench::surroundings() const { return {model(), threads_}; }
 
 void Workbench::update(double seconds, Extent panel) {
   now_ = seconds;
-  if (panel.width > 0 && panel.height > 0) panel_ = panel;
+  if (panel.width > 0 && panel.height > 0) fit_panel(panel);
   if (model_lane_.poll() && model_lane_.result_key()->moved.empty()) {
     unmoved_ = model()->scene;
     unmoved_name_ = model_lane_.result_key()->scene;
@@ -109,6 +109,19 @@ void Workbench::update(double seconds, Extent panel) {
 
 bool Workbench::model_is_current() const {
   return model() && model_lane_.result_key() == ModelKey{state.scene, state.moved};
+}
+
+void Workbench::fit_panel(Extent panel) {
+  if (!state.picture && state.pixel && panel != panel_ && fitted_) {
+    // The same place of the scene, nearly: it is seen at the same part of the picture's height.
+    const double factor = static_cast<double>(panel.height) / panel_.height;
+    const double x = panel.width / 2.0 + factor * (state.pixel->x + 0.5 - panel_.width / 2.0);
+    const double y = factor * (state.pixel->y + 0.5);
+    state.pixel = glm::ivec2(std::clamp(static_cast<int>(x), 0, panel.width - 1),
+                             std::clamp(static_cast<int>(y), 0, panel.height - 1));
+  }
+  panel_ = panel;
+  fitted_ = true;
 }
 
 void Workbench::want_model() {
@@ -168,15 +181,14 @@ void Workbench::want_causes() {
   const bool colors_wrong = found->errors.color && found->errors.color->max > 0.0;
   if (found->failed.empty() && !colors_wrong) return;
   causes_lane_.want(picture_key(), true, [&] {
-    return [key = picture_key(), given = surroundings(), rendered = picture(),
-            exact = truth()](const Progress& progress) {
-      return find_causes(key, given, *rendered, *exact, progress);
-    };
+    return [key = picture_key(), given = surroundings(), rendered = picture(), exact = truth()](
+               const Progress& progress) { return find_causes(key, given, *rendered, *exact, progress); };
   });
 }
 
 std::shared_ptr<const OrderingFailures> Workbench::causes() const {
-  if (!judgement() || !causes_lane_.result() || !(*causes_lane_.result_key() == picture_key())) return nullptr;
+  if (!judgement() || !causes_lane_.result() || !(*causes_lane_.result_key() == picture_key()))
+    return nullptr;
   return causes_lane_.result();
 }
 

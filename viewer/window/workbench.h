@@ -104,6 +104,7 @@ class Workbench {
 
  private:
   Surroundings surroundings() const;
+  void fit_panel(Extent panel);
   bool model_is_current() const;
   void find_home_camera();
   void want_model();
@@ -124,6 +125,7 @@ class Workbench {
   double camera_moved_ = -1.0;  // when
   bool settling_ = false;
   Extent panel_ = {640, 400};
+  bool fitted_ = false;  // panel_ is one that was told
   std::uint64_t models_ = 0;
   Camera home_camera_;  // where the scene is seen from at first
   std::pair<std::uint64_t, double> home_of_ = {0,

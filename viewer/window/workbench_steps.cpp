@@ -14,7 +14,9 @@ TraceKey Workbench::trace_key() const {
   return key;
 }
 
-MomentKey Workbench::moment_key() const { return {trace_key(), state.step, state.pixel.value_or(glm::ivec2(-1))}; }
+MomentKey Workbench::moment_key() const {
+  return {trace_key(), state.step, state.pixel.value_or(glm::ivec2(-1))};
+}
 
 MarksKey Workbench::marks_key() const {
   return {trace_key(), state.pixel.value_or(glm::ivec2(-1)), selected_face(), truth() != nullptr};
@@ -68,7 +70,9 @@ void Workbench::want_steps() {
     return [key = moment_key(), steps](const Progress&) { return find_moment(key, *steps); };
   });
   marks_lane_.want(marks_key(), false, [&] {
-    return [key = marks_key(), steps, exact = truth()](const Progress&) { return find_marks(key, *steps, exact); };
+    return [key = marks_key(), steps, exact = truth()](const Progress&) {
+      return find_marks(key, *steps, exact);
+    };
   });
 }
 
@@ -79,12 +83,14 @@ std::shared_ptr<const Story> Workbench::story() const {
 }
 
 std::shared_ptr<const Trace> Workbench::trace() const {
-  if (!picture_is_current() || !trace_lane_.result() || !(*trace_lane_.result_key() == trace_key())) return nullptr;
+  if (!picture_is_current() || !trace_lane_.result() || !(*trace_lane_.result_key() == trace_key()))
+    return nullptr;
   return trace_lane_.result();
 }
 
 std::shared_ptr<const Moment> Workbench::moment() const {
-  if (!trace() || !moment_lane_.result() || !(moment_lane_.result_key()->trace == trace_key())) return nullptr;
+  if (!trace() || !moment_lane_.result() || !(moment_lane_.result_key()->trace == trace_key()))
+    return nullptr;
   return moment_lane_.result();
 }
 

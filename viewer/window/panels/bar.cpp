@@ -19,7 +19,8 @@ void draw_bar(Ui& ui, Session& session, const Area& area) {
   }
   const float width = ImGui::CalcTextSize("Steps Outside Lecture Light Keys").x + 6.5F * ui.em;
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
-  if (ui.toggle("Steps", state.stepping, "The algorithm's steps, forward and back (P)")) toggle_stepping(session);
+  if (ui.toggle("Steps", state.stepping, "The algorithm's steps, forward and back (P)"))
+    toggle_stepping(session);
   ImGui::SameLine();
   if (ui.toggle("Outside", state.outside, "A second view, from outside (V)")) state.outside = !state.outside;
   ImGui::SameLine();

@@ -1,6 +1,6 @@
 #include "text_layout.h"
-#include "window/causes.h"
 #include "window/actions.h"
+#include "window/causes.h"
 #include "window/panels/algorithm_settings.h"
 #include "window/panels/panels.h"
 
@@ -35,8 +35,8 @@ void draw_causes(Ui& ui, Session& session) {
     if (causes->of(cause) == 0) continue;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float middle = ImGui::GetTextLineHeight() / 2.0F;
-    draw_cause(*ImGui::GetWindowDrawList(), {at.x + 0.6F * ui.em, at.y + middle}, 0.32F * ui.em, ui.stroke, cause,
-               session.bench.state.theme);
+    draw_cause(*ImGui::GetWindowDrawList(), {at.x + 0.6F * ui.em, at.y + middle}, 0.32F * ui.em, ui.stroke,
+               cause, session.bench.state.theme);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.5F * ui.em);
     ui.paragraph(grouped(causes->of(cause)) + " " + std::string(name_of(cause)));
   }

@@ -14,8 +14,8 @@ namespace {
 /// More would not be told apart.
 constexpr std::size_t most_shown = 12;
 
-void draw_arrow(ImDrawList& list, const glm::vec2& from, const glm::vec2& to, float gap, float head, ImU32 color,
-                float width) {
+void draw_arrow(ImDrawList& list, const glm::vec2& from, const glm::vec2& to, float gap, float head,
+                ImU32 color, float width) {
   const glm::vec2 way = glm::normalize(to - from);
   const glm::vec2 start = from + gap * way;
   const glm::vec2 end = to - gap * way;
@@ -39,7 +39,8 @@ void draw_cycle(Ui& ui, const std::vector<std::uint32_t>& cycle, const Scene& sc
   ui.note("cycle", "Each has to be painted before the one its arrow leads to, so none can be the first");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto place = [&](std::size_t k) {
-    const float angle = 2.0F * std::numbers::pi_v<float> * (static_cast<float>(k) / static_cast<float>(cycle.size()) - 0.25F);
+    const float angle =
+        2.0F * std::numbers::pi_v<float> * (static_cast<float>(k) / static_cast<float>(cycle.size()) - 0.25F);
     return middle + radius * glm::vec2(std::cos(angle), std::sin(angle));
   };
   for (std::size_t k = 0; k < cycle.size(); ++k) {
@@ -54,7 +55,8 @@ void draw_cycle(Ui& ui, const std::vector<std::uint32_t>& cycle, const Scene& sc
     const ImVec2 size = ImGui::CalcTextSize(label.c_str());
     list.AddRectFilled({centre.x - size.x / 2.0F - 2.0F, centre.y - size.y / 2.0F},
                        {centre.x + size.x / 2.0F + 2.0F, centre.y + size.y / 2.0F}, IM_COL32(0, 0, 0, 150));
-    ui.draw_text(list, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F}, IM_COL32(255, 255, 255, 255), label);
+    ui.draw_text(list, {centre.x - size.x / 2.0F, centre.y - size.y / 2.0F}, IM_COL32(255, 255, 255, 255),
+                 label);
   }
 }
 

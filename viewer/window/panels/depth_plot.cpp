@@ -17,7 +17,8 @@ class Axis {
   Axis(const std::vector<exact::Fragment>& list, bool log_depth) : log_depth_(log_depth) {
     const double least = value(list.front().depth);
     const double greatest = value(list.back().depth);
-    const double margin = greatest > least ? 0.04 * (greatest - least) : std::max(0.01 * std::abs(least), 1e-12);
+    const double margin =
+        greatest > least ? 0.04 * (greatest - least) : std::max(0.01 * std::abs(least), 1e-12);
     first_ = least - margin;
     length_ = greatest - least + 2.0 * margin;
   }
@@ -61,12 +62,15 @@ void draw_depth_plot(Ui& ui, const Story& story, bool log_depth, Theme /*theme*/
   const float text = 1.3F * ui.em;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::Dummy({width, marks + text + (with_order ? lines + text : 0.0F)});
-  ui.note("depth plot", "Each mark is a surface at this pixel: its place is its depth, its height its opacity");
+  ui.note("depth plot",
+          "Each mark is a surface at this pixel: its place is its depth, its height its opacity");
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   draw.AddRect(at, {at.x + width, at.y + marks}, ui.palette.line);
   const Axis axis(list, log_depth);
   const float thick = std::clamp(0.5F * width / static_cast<float>(list.size()), 1.0F, 0.45F * ui.em);
-  const auto mark_x = [&](std::size_t k) { return at.x + width * static_cast<float>(axis.place(list[k].depth)); };
+  const auto mark_x = [&](std::size_t k) {
+    return at.x + width * static_cast<float>(axis.place(list[k].depth));
+  };
   for (std::size_t k = 0; k < list.size(); ++k) {
     const float x = mark_x(k);
     const float tall = marks * (0.15F + 0.8F * story.colors[k].a);
@@ -74,11 +78,15 @@ void draw_depth_plot(Ui& ui, const Story& story, bool log_depth, Theme /*theme*/
     const ImVec2 least = {x - thick / 2.0F, at.y + marks - tall};
     const ImVec2 greatest = {x + thick / 2.0F, at.y + marks};
     draw.AddRectFilled(least, greatest, screen_color(story.colors[k]));
-    if (shown) draw.AddRect({least.x - 2.0F, least.y - 2.0F}, {greatest.x + 2.0F, greatest.y}, ui.palette.text, 0.0F, 0, 2.0F * ui.stroke);
+    if (shown)
+      draw.AddRect({least.x - 2.0F, least.y - 2.0F}, {greatest.x + 2.0F, greatest.y}, ui.palette.text, 0.0F,
+                   0, 2.0F * ui.stroke);
   }
-  ui.draw_text(draw, {at.x, at.y + marks}, ui.palette.faint_text, "depth " + significant(list.front().depth, 4));
+  ui.draw_text(draw, {at.x, at.y + marks}, ui.palette.faint_text,
+               "depth " + significant(list.front().depth, 4));
   const std::string end = significant(list.back().depth, 4);
-  ui.draw_text(draw, {at.x + width - ImGui::CalcTextSize(end.c_str()).x, at.y + marks}, ui.palette.faint_text, end);
+  ui.draw_text(draw, {at.x + width - ImGui::CalcTextSize(end.c_str()).x, at.y + marks}, ui.palette.faint_text,
+               end);
   if (!with_order) return;
   const float top = at.y + marks + text;
   for (std::size_t k = 0; k < order.size(); ++k) {
@@ -88,8 +96,9 @@ void draw_depth_plot(Ui& ui, const Story& story, bool log_depth, Theme /*theme*/
                  (wrong ? 2.5F : 1.5F) * ui.stroke);
     draw.AddCircleFilled({x, top + lines}, 0.28F * ui.em, screen_color(story.colors[order[k]]));
   }
-  ui.draw_text(draw, {at.x, top + lines + 0.2F * ui.em}, ui.palette.faint_text,
-               story.painted ? "painted last  \xE2\x86\x90  painted first" : "met first  \xE2\x86\x92  met last");
+  ui.draw_text(
+      draw, {at.x, top + lines + 0.2F * ui.em}, ui.palette.faint_text,
+      story.painted ? "painted last  \xE2\x86\x90  painted first" : "met first  \xE2\x86\x92  met last");
 }
 
 }  // namespace hsr::window

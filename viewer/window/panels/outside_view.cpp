@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "view/shading.h"
 #include "window/camera_motion.h"
@@ -18,7 +17,8 @@ constexpr std::size_t most_triangles = 4000;
 
 class OutsideDrawing {
  public:
-  OutsideDrawing(ImDrawList& list, const View& view, const ImVec2& corner) : list_(list), view_(view), corner_(corner) {}
+  OutsideDrawing(ImDrawList& list, const View& view, const ImVec2& corner)
+      : list_(list), view_(view), corner_(corner) {}
 
   void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float width) const {
     const auto seen = seen_line(view_, from, to);
@@ -52,45 +52,31 @@ void draw_scene(const OutsideDrawing& drawing, const Scene& scene, float stroke)
   }
 }
 
-/// The point of the world at a raster position and an eye depth.
-glm::dvec3 at_depth(const View& view, const glm::dvec2& raster, double depth) {
-  // Clip x and y follow from the raster position, w is the depth; the rows for x, y and w determine the point.
-  const glm::dmat4& m = view.clip_from_world;
-  const glm::dvec3 wanted((2.0 * raster.x / view.width - 1.0) * depth, (1.0 - 2.0 * raster.y / view.height) * depth, depth);
-  glm::dmat3 rows(0.0);
-  glm::dvec3 offset(0.0);
-  constexpr std::array<int, 3> row_numbers = {0, 1, 3};
-  for (int k = 0; k < 3; ++k) {
-    for (int column = 0; column < 3; ++column) rows[column][k] = m[column][row_numbers[static_cast<std::size_t>(k)]];
-    offset[k] = m[3][row_numbers[static_cast<std::size_t>(k)]];
-  }
-  return glm::inverse(rows) * (wanted - offset);
-}
-
 void draw_frustum(Ui& ui, const OutsideDrawing& drawing, const View& view) {
   const std::array<glm::dvec2, 4> corners = {glm::dvec2(0, 0), glm::dvec2(view.width, 0),
                                              glm::dvec2(view.width, view.height), glm::dvec2(0, view.height)};
   for (std::size_t k = 0; k < 4; ++k) {
     const glm::dvec2& next = corners[(k + 1) % 4];
-    const glm::dvec3 far = at_depth(view, corners[k], view.far_depth);
+    const glm::dvec3 far = world_at(view, corners[k], view.far_depth);
     drawing.line(view.camera.eye, far, ui.palette.faint_text, ui.stroke);
-    drawing.line(far, at_depth(view, next, view.far_depth), ui.palette.faint_text, ui.stroke);
-    drawing.line(at_depth(view, corners[k], view.near_depth), at_depth(view, next, view.near_depth), ui.palette.accent,
-                 2.0F * ui.stroke);
+    drawing.line(far, world_at(view, next, view.far_depth), ui.palette.faint_text, ui.stroke);
+    drawing.line(world_at(view, corners[k], view.near_depth), world_at(view, next, view.near_depth),
+                 ui.palette.accent, 2.0F * ui.stroke);
   }
   drawing.dot(view.camera.eye, 0.35F * ui.em, ui.palette.accent, ui.palette.text);
 }
 
-void draw_ray(Ui& ui, const OutsideDrawing& drawing, const View& view, const glm::ivec2& pixel, const Story* story) {
+void draw_ray(Ui& ui, const OutsideDrawing& drawing, const View& view, const glm::ivec2& pixel,
+              const Story* story) {
   const glm::dvec2 centre(pixel.x + 0.5, pixel.y + 0.5);
-  drawing.line(view.camera.eye, at_depth(view, centre, view.far_depth), ui.palette.text, 2.0F * ui.stroke);
+  drawing.line(view.camera.eye, world_at(view, centre, view.far_depth), ui.palette.text, 2.0F * ui.stroke);
   if (story == nullptr) return;
   constexpr std::size_t most = 500;
   for (std::size_t k = 0; k < std::min(story->pixel.list.size(), most); ++k) {
     const exact::Fragment& fragment = story->pixel.list[k];
     const bool shown = fragment.id == story->pixel.id;
-    drawing.dot(at_depth(view, centre, fragment.depth), (shown ? 0.45F : 0.28F) * ui.em, screen_color(story->colors[k]),
-                ui.palette.text);
+    drawing.dot(world_at(view, centre, fragment.depth), (shown ? 0.45F : 0.28F) * ui.em,
+                screen_color(story->colors[k]), ui.palette.text);
   }
 }
 
@@ -105,7 +91,8 @@ void outline_pair(Ui& ui, const OutsideDrawing& drawing, const Scene& scene, std
 /// From the side and above, at a distance from which scene and camera are seen.
 Camera first_outside(const View& view, const BoundingSphere& sphere) {
   const glm::dvec3 middle = (sphere.centre + view.camera.eye) / 2.0;
-  const double radius = std::max(sphere.radius, 0.5 * glm::length(sphere.centre - view.camera.eye) + 0.7 * sphere.radius);
+  const double radius =
+      std::max(sphere.radius, 0.5 * glm::length(sphere.centre - view.camera.eye) + 0.7 * sphere.radius);
   const glm::dvec3 ahead = glm::normalize(sphere.centre - view.camera.eye + glm::dvec3(1e-9, 0.0, 0.0));
   const glm::dvec3 up = glm::normalize(view.camera.up);
   glm::dvec3 side = glm::cross(ahead, up);
@@ -129,26 +116,28 @@ void draw_outside_view(Ui& ui, Session& session, const Area& area) {
   ui.note("outside");
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActive() && (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F)) {
-    session.outside_camera = orbited(*session.outside_camera, 3.14 / area.size.y * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
+    session.outside_camera =
+        orbited(*session.outside_camera, 3.14 / area.size.y * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
   }
   if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
     session.outside_camera = dollied(*session.outside_camera, io.MouseWheel > 0.0F ? 0.9 : 1.1);
   }
   // Far wide enough for the frustum; what is meant to be seen is lines only.
-  const double reach = glm::length(session.outside_camera->eye - model->sphere.centre) + model->sphere.radius +
-                       picture->view.far_depth;
+  const double reach = glm::length(session.outside_camera->eye - model->sphere.centre) +
+                       model->sphere.radius + picture->view.far_depth;
   Scene empty;
   View view;
   try {
-    view = make_view(empty, *session.outside_camera, static_cast<int>(area.size.x), static_cast<int>(area.size.y),
-                     1e-4 * reach, 4.0 * reach);
+    view = make_view(empty, *session.outside_camera, static_cast<int>(area.size.x),
+                     static_cast<int>(area.size.y), 1e-4 * reach, 4.0 * reach);
   } catch (const std::exception&) {
     session.outside_camera.reset();
     return;
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, true);
-  list.AddRectFilled(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, ui.palette.canvas);
+  list.AddRectFilled(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y},
+                     ui.palette.canvas);
   const OutsideDrawing drawing(list, view, area.corner);
   draw_scene(drawing, *model->scene, ui.stroke);
   draw_frustum(ui, drawing, picture->view);
@@ -160,8 +149,10 @@ void draw_outside_view(Ui& ui, Session& session, const Area& area) {
     outline_pair(ui, drawing, *model->scene, moment->event->q, ui.palette.second);
     outline_pair(ui, drawing, *model->scene, moment->event->p, ui.palette.first);
   }
-  list.AddRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, ui.palette.line, 0.0F, 0, 2.0F * ui.stroke);
-  ui.draw_text(list, {area.corner.x + 0.5F * ui.em, area.corner.y + 0.4F * ui.em}, ui.palette.text, "from outside");
+  list.AddRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, ui.palette.line, 0.0F,
+               0, 2.0F * ui.stroke);
+  ui.draw_text(list, {area.corner.x + 0.5F * ui.em, area.corner.y + 0.4F * ui.em}, ui.palette.text,
+               "from outside");
   list.PopClipRect();
 }
 

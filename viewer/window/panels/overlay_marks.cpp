@@ -31,7 +31,8 @@ void draw_failures(Ui& ui, Session& session, const PicturePlace& place, ImDrawLi
   for (std::size_t pixel = 0; pixel < causes->pair_at.size(); ++pixel) {
     const std::uint32_t pair = causes->pair_at[pixel];
     if (pair == background_id) continue;
-    const ImVec2 at = place.screen({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
+    const ImVec2 at =
+        place.screen({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
     if (!place.contains(at)) continue;
     const Cause cause = causes->pairs[pair].cause;
     Crowd& crowd = crowds[{static_cast<int>(at.x / square), static_cast<int>(at.y / square), cause}];
@@ -41,7 +42,8 @@ void draw_failures(Ui& ui, Session& session, const PicturePlace& place, ImDrawLi
   const float radius = std::min(0.32F * ui.em, 0.4F * square);
   for (const auto& [cell, crowd] : crowds) {
     const glm::vec2 middle = crowd.sum / crowd.count;
-    draw_cause(list, {middle.x, middle.y}, radius, ui.stroke, std::get<Cause>(cell), session.bench.state.theme);
+    draw_cause(list, {middle.x, middle.y}, radius, ui.stroke, std::get<Cause>(cell),
+               session.bench.state.theme);
   }
 }
 
@@ -80,8 +82,8 @@ void draw_selection(Ui& ui, Session& session, const PicturePlace& place, ImDrawL
 
 namespace {
 
-void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector<glm::dvec2>& polygon, ImU32 ink,
-                  float width) {
+void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector<glm::dvec2>& polygon,
+                  ImU32 ink, float width) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     list.AddLine(place.screen(polygon[k]), place.screen(polygon[(k + 1) % polygon.size()]), ink, width);
   }
@@ -89,7 +91,8 @@ void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector
 
 }  // namespace
 
-void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list, ImU32 ink) {
+void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list,
+                  ImU32 ink) {
   const std::vector<glm::dvec2> polygon = outline(view, id);
   draw_polygon(list, place, polygon, IM_COL32(0, 0, 0, 200), 4.5F * ui.stroke);
   draw_polygon(list, place, polygon, ink, 2.0F * ui.stroke);
@@ -99,7 +102,8 @@ const FailingPair* failing_pair(const Session& session) {
   const auto causes = session.bench.causes();
   const auto pixel = session.pixel_in_question();
   const auto picture = session.bench.picture();
-  if (!causes || !pixel || !picture || pixel->x >= picture->frame.width || pixel->y >= picture->frame.height) {
+  if (!causes || !pixel || !picture || pixel->x >= picture->frame.width ||
+      pixel->y >= picture->frame.height) {
     return nullptr;
   }
   const std::uint32_t pair = causes->pair_at[picture->frame.index(pixel->x, pixel->y)];
@@ -110,7 +114,8 @@ void draw_failing_pair(Ui& ui, Session& session, const PicturePlace& place, ImDr
   const FailingPair* pair = failing_pair(session);
   const auto truth = session.bench.truth();
   if (pair == nullptr || !truth) return;
-  for (const std::uint32_t id : pair->cycle) draw_outline(ui, truth->view, id, place, list, ui.palette.faint_text);
+  for (const std::uint32_t id : pair->cycle)
+    draw_outline(ui, truth->view, id, place, list, ui.palette.faint_text);
   draw_outline(ui, truth->view, pair->shown, place, list, ui.palette.first);
   draw_outline(ui, truth->view, pair->nearest, place, list, ui.palette.second);
   if (pair->cause != Cause::interpenetration) return;
@@ -131,10 +136,10 @@ void draw_step(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& 
   const ImVec2 least = place.screen({event.i, event.j});
   const ImVec2 greatest = place.screen({event.i + 1, event.j + 1});
   const float gap = std::max(0.0F, (0.5F * ui.em - (greatest.x - least.x)) / 2.0F);
-  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, IM_COL32(0, 0, 0, 255), 0.0F, 0,
-               4.0F * ui.stroke);
-  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, ui.palette.first, 0.0F, 0,
-               2.0F * ui.stroke);
+  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, IM_COL32(0, 0, 0, 255),
+               0.0F, 0, 4.0F * ui.stroke);
+  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, ui.palette.first, 0.0F,
+               0, 2.0F * ui.stroke);
 }
 
 }  // namespace hsr::window

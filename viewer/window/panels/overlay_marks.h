@@ -17,7 +17,8 @@ void draw_grid(Ui& ui, const PicturePlace& place, ImDrawList& list);
 void draw_selection(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list);
 
 /// The edges of a triangle, also where it is hidden.
-void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list, ImU32 ink);
+void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list,
+                  ImU32 ink);
 
 /// The failing pair at the pixel in question: what is shown and what ought to be; null where it is right.
 const FailingPair* failing_pair(const Session& session);

@@ -40,7 +40,8 @@ OverlayPicture faces(Session& session, const Rendered& picture, Extent size) {
       continue;
     }
     const glm::vec3 color = palette_color(picture.scene->triangles[id].face);
-    pixels.push_back(rgba(srgb8_from_linear(color.r), srgb8_from_linear(color.g), srgb8_from_linear(color.b)));
+    pixels.push_back(
+        rgba(srgb8_from_linear(color.r), srgb8_from_linear(color.g), srgb8_from_linear(color.b)));
   }
   session.shown_overlay.texture.set(session.renderer, size.width, size.height, pixels.data());
   return {true, "", ""};
@@ -70,14 +71,16 @@ OverlayPicture make_overlay_picture(Session& session) {
   const bool needs_second = overlay == Overlay::list_length || overlay == Overlay::color_error;
   if (needs_second && !second) return {};
   ShownPicture& shown = session.shown_overlay;
-  if (shown.source == picture && shown.source2 == second && session.overlay_kind == overlay) return session.overlay_made;
+  if (shown.source == picture && shown.source2 == second && session.overlay_kind == overlay)
+    return session.overlay_made;
   shown.source = picture;
   shown.source2 = second;
   session.overlay_kind = overlay;
   const Extent size = {picture->frame.width, picture->frame.height};
   if (overlay == Overlay::face) return session.overlay_made = faces(session, *picture, size);
   if (overlay == Overlay::depth) return session.overlay_made = by_scale(session, picture->frame.depth, size);
-  if (overlay == Overlay::color_error) return session.overlay_made = color_errors(session, *picture, *truth, size);
+  if (overlay == Overlay::color_error)
+    return session.overlay_made = color_errors(session, *picture, *truth, size);
   return session.overlay_made = by_scale(session, std::vector<float>(lengths->begin(), lengths->end()), size);
 }
 
@@ -87,7 +90,8 @@ void draw_legend(Ui& ui, ImDrawList& list, const Area& area, const OverlayPictur
   const float width = 12.0F * ui.em;
   const float height = 0.8F * ui.em;
   const float pad = 0.4F * ui.em;
-  const ImVec2 at = {area.corner.x + 2.0F * pad, area.corner.y + area.size.y - height - 1.5F * ui.em - 2.0F * pad};
+  const ImVec2 at = {area.corner.x + 2.0F * pad,
+                     area.corner.y + area.size.y - height - 1.5F * ui.em - 2.0F * pad};
   list.AddRectFilled({at.x - pad, at.y - pad}, {at.x + width + pad, at.y + height + 1.3F * ui.em + pad},
                      IM_COL32(0, 0, 0, 190), 4.0F * ui.stroke);
   for (int k = 0; k < parts; ++k) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "window/panels/corner_handles.h"
 #include "window/panels/outside_view.h"
 #include "window/panels/overlay_marks.h"
 #include "window/panels/overlay_picture.h"
@@ -115,8 +116,8 @@ void draw_wiper(Ui& ui, Session& session, ImDrawList& list, const Area& area) {
 }
 
 /// The pictures themselves; returns the areas that show one, each with its caption.
-std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session, ImDrawList& list, const Area& area,
-                                                        Extent size) {
+std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session, ImDrawList& list,
+                                                        const Area& area, Extent size) {
   const Workbench& bench = session.bench;
   const State& state = bench.state;
   const auto picture = bench.picture();
@@ -173,8 +174,8 @@ void draw_picture(Ui& ui, Session& session, const Area& whole) {
   // The view from outside takes the lower part.
   constexpr float outside_part = 0.42F;
   const bool outside = session.bench.state.outside;
-  const Area area = {whole.corner, {whole.size.x, outside ? (1.0F - outside_part) * whole.size.y : whole.size.y}};
-  session.picture_room = {static_cast<int>(area.size.x), static_cast<int>(area.size.y)};
+  const Area area = {whole.corner,
+                     {whole.size.x, outside ? (1.0F - outside_part) * whole.size.y : whole.size.y}};
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.palette.canvas);
   ui.begin_panel("picture", whole.corner, whole.size,
@@ -194,7 +195,7 @@ void draw_picture(Ui& ui, Session& session, const Area& whole) {
       const PicturePlace place = place_picture(where, size, state.magnification, state.centre);
       list.PushClipRect(where.corner, {where.corner.x + where.size.x, where.corner.y + where.size.y}, true);
       draw_grid(ui, place, list);
-      if (k == 0 && state.overlay == Overlay::errors) {
+      if (k == 0 && state.overlay == Overlay::errors && !state.stepping) {
         const Area& own = shown.front().first;
         list.PushClipRect(own.corner, {own.corner.x + own.size.x, own.corner.y + own.size.y}, true);
         draw_failures(ui, session, place, list);
@@ -213,13 +214,16 @@ void draw_picture(Ui& ui, Session& session, const Area& whole) {
     if (wiper) draw_wiper(ui, session, list, area);
     const bool right_half = halves && ImGui::GetIO().MousePos.x >= shown[1].first.corner.x;
     const Area mouse_area = halves ? shown[right_half ? 1 : 0].first : area;
+    if (!halves)
+      drag_corners(ui, session, place_picture(area, size, state.magnification, state.centre), list);
     ImGui::SetCursorScreenPos(area.corner);
     ImGui::InvisibleButton("canvas", {std::max(area.size.x, 1.0F), std::max(area.size.y, 1.0F)},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
     ui.note("canvas");
     use_mouse(session, place_picture(mouse_area, size, state.magnification, state.centre));
-    const Area below = {{whole.corner.x, whole.corner.y + area.size.y}, {whole.size.x, whole.size.y - area.size.y}};
+    const Area below = {{whole.corner.x, whole.corner.y + area.size.y},
+                        {whole.size.x, whole.size.y - area.size.y}};
     if (outside) draw_outside_view(ui, session, below);
   }
   ui.end_panel();

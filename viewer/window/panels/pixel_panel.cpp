@@ -40,18 +40,22 @@ void draw_row(Ui& ui, const Story& story, std::size_t k) {
 void draw_list(Ui& ui, const Story& story) {
   const std::size_t count = story.pixel.list.size();
   constexpr std::size_t most_rows = 8;
-  const float height = (static_cast<float>(std::min(count, most_rows)) + 1.6F) * ImGui::GetTextLineHeightWithSpacing();
-  constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
+  const float height =
+      (static_cast<float>(std::min(count, most_rows)) + 1.6F) * ImGui::GetTextLineHeightWithSpacing();
+  constexpr ImGuiTableFlags flags =
+      ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   ui.pause_recording();
   if (ImGui::BeginTable("list", 6, flags, {0.0F, height})) {
     ui.resume_recording();
     ImGui::TableSetupScrollFreeze(0, 1);
-    for (const char* title : {"", "triangle", "depth", "opacity", "side", "so far"}) ImGui::TableSetupColumn(title);
+    for (const char* title : {"", "triangle", "depth", "opacity", "side", "so far"})
+      ImGui::TableSetupColumn(title);
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count));
     while (clipper.Step()) {
-      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) draw_row(ui, story, static_cast<std::size_t>(k));
+      for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
+        draw_row(ui, story, static_cast<std::size_t>(k));
     }
     ImGui::EndTable();
   }
@@ -63,7 +67,9 @@ void draw_history(Ui& ui, const Story& story) {
     ImU32 color = ui.palette.text;
     if (line.decided) color = line.passed ? ui.palette.good : ui.palette.faint_text;
     if (line.departure) color = ui.palette.bad;
-    ui.colored_paragraph(color, mark + line.sentence + (line.departure ? "  \xE2\x86\x90 here it departs from the exact answer" : ""));
+    ui.colored_paragraph(color,
+                         mark + line.sentence +
+                             (line.departure ? "  \xE2\x86\x90 here it departs from the exact answer" : ""));
   }
   if (story.history_total > story.history.size()) {
     ui.faint_paragraph("and " + grouped(story.history_total - story.history.size()) + " more steps");
@@ -79,7 +85,8 @@ void draw_copies(Ui& ui, Session& session, const Story& story) {
   if (ui.button("CSV", "The list as a table in a file")) save_list(session, story);
   ImGui::SameLine();
   bool log_depth = session.bench.state.log_depth;
-  if (ui.checkbox("log depth", log_depth, "Depths by their order of magnitude")) session.bench.state.log_depth = log_depth;
+  if (ui.checkbox("log depth", log_depth, "Depths by their order of magnitude"))
+    session.bench.state.log_depth = log_depth;
 }
 
 void draw_story(Ui& ui, Session& session, const Story& story) {
@@ -103,11 +110,13 @@ void draw_pixel_panel(Ui& ui, Session& session, const Area& area) {
   const auto pixel = session.pixel_in_question();
   session.bench.want_story(pixel);
   if (!pixel) {
-    ui.faint_paragraph("Point at a pixel to read what is there; click to keep it. N goes to the next wrong one.");
+    ui.faint_paragraph(
+        "Point at a pixel to read what is there; click to keep it. N goes to the next wrong one.");
     ui.end_panel();
     return;
   }
-  ui.colored_paragraph(ui.palette.accent, "Pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y));
+  ui.colored_paragraph(ui.palette.accent,
+                       "Pixel " + std::to_string(pixel->x) + ", " + std::to_string(pixel->y));
   if (const auto story = session.bench.story()) {
     draw_story(ui, session, *story);
   } else {

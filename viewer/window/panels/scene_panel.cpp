@@ -73,7 +73,7 @@ void draw_parameters(Ui& ui, Session& session) {
   for (std::size_t k = 0; k < words.values().size(); ++k) {
     const SceneParameter& parameter = words.entry()->parameters[k];
     const std::string name(parameter.name);
-    ImGui::SetNextItemWidth(-0.4F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(0.48F * ImGui::GetContentRegionAvail().x);
     double& value = words.values()[k];
     if (parameter.whole) {
       int number = static_cast<int>(value);
@@ -87,6 +87,12 @@ void draw_parameters(Ui& ui, Session& session) {
                            static_cast<float>(parameter.greatest), "%.3g", std::string(parameter.meaning),
                            powers ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
       value = std::clamp(static_cast<double>(number), parameter.least, parameter.greatest);
+    }
+    ImGui::SameLine();
+    const bool moves = session.moving_parameter == static_cast<int>(k);
+    const std::string label = (moves ? "stop##" : "move##") + name;
+    if (ui.toggle(label.c_str(), moves, "Let it go up and down: everything is built anew for each picture")) {
+      session.moving_parameter = moves ? -1 : static_cast<int>(k);
     }
   }
   if (changed) {

@@ -22,37 +22,45 @@ void draw_buttons(Ui& ui, Session& session) {
     if (const auto trace = session.bench.trace()) go_to_step(session, trace->total);
   }
   next(1.5F * ui.em);
-  if (ui.button("\xE2\x86\x90 pixel", "The step before at the selected pixel ([)")) go_to_mark(session, MarkKind::pixel, -1);
+  if (ui.button("\xE2\x86\x90 pixel", "The step before at the selected pixel ([)"))
+    go_to_mark(session, MarkKind::pixel, -1);
   next();
-  if (ui.button("pixel \xE2\x86\x92", "The next step at the selected pixel (])")) go_to_mark(session, MarkKind::pixel, 1);
+  if (ui.button("pixel \xE2\x86\x92", "The next step at the selected pixel (])"))
+    go_to_mark(session, MarkKind::pixel, 1);
   next();
   if (ui.button("face \xE2\x86\x92", "The next step of the face at the selected pixel (Shift ])")) {
     go_to_mark(session, MarkKind::face, 1);
   }
   next();
-  if (ui.button("turn \xE2\x86\x92", "The next exchange, cycle, crossing or split (X)")) go_to_mark(session, MarkKind::turn, 1);
+  if (ui.button("turn \xE2\x86\x92", "The next exchange, cycle, crossing or split (X)"))
+    go_to_mark(session, MarkKind::turn, 1);
   next();
-  if (ui.button("departure", "The first step after which a wrong triangle is seen for good (F)")) go_to_departure(session);
+  if (ui.button("departure", "The first step after which a wrong triangle is seen for good (F)"))
+    go_to_departure(session);
 }
 
 void draw_choices(Ui& ui, Session& session) {
   State& state = session.bench.state;
   ImGui::SetNextItemWidth(5.5F * ui.em);
   auto of = static_cast<std::size_t>(state.steps_of);
-  if (ui.combo("steps", of, steps_of_names(), "Of the whole picture, of the selected pixel, or of its face")) {
+  if (ui.combo("steps", of, steps_of_names(),
+               "Of the whole picture, of the selected pixel, or of its face")) {
     state.steps_of = static_cast<StepsOf>(of);
     state.step = 0;
   }
   ImGui::SameLine(0.0F, 1.5F * ui.em);
   ImGui::SetNextItemWidth(8.0F * ui.em);
-  (void)ui.slider("a second", state.speed, 1.0F, 1e6F, "%.0f", "Steps a second when playing", ImGuiSliderFlags_Logarithmic);
+  (void)ui.slider("a second", state.speed, 1.0F, 1e6F, "%.0f", "Steps a second when playing",
+                  ImGuiSliderFlags_Logarithmic);
 }
 
 /// Marks on a strip, a height and a colour for each kind.
-void draw_marks(Ui& ui, const Marks& marks, std::uint64_t total, const ImVec2& at, float width, float height) {
+void draw_marks(Ui& ui, const Marks& marks, std::uint64_t total, const ImVec2& at, float width,
+                float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto x = [&](std::uint64_t step) {
-    return at.x + width * static_cast<float>(static_cast<double>(step) / static_cast<double>(std::max<std::uint64_t>(total, 1)));
+    return at.x + width * static_cast<float>(static_cast<double>(step) /
+                                             static_cast<double>(std::max<std::uint64_t>(total, 1)));
   };
   // No more than one mark for each pixel of the screen.
   const auto draw = [&](const std::vector<std::uint64_t>& steps, float from, float to, ImU32 color) {
@@ -61,7 +69,8 @@ void draw_marks(Ui& ui, const Marks& marks, std::uint64_t total, const ImVec2& a
       const float here = std::floor(x(step));
       if (here <= last) continue;
       last = here;
-      list.AddLine({here, at.y + from * height}, {here, at.y + to * height}, color, std::max(1.0F, ui.stroke));
+      list.AddLine({here, at.y + from * height}, {here, at.y + to * height}, color,
+                   std::max(1.0F, ui.stroke));
     }
   };
   draw(marks.turns, 0.0F, 0.33F, ui.palette.warn);
@@ -89,8 +98,10 @@ void draw_time_line(Ui& ui, Session& session, std::uint64_t total) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = 0.7F * ui.em;
   ImGui::Dummy({width, height});
-  ui.note("marks", "Above: exchanges, cycles, crossings, splits. Middle: the selected face. Below: the selected pixel. "
-                   "The wedge: the first departure from the exact answer.");
+  ui.note(
+      "marks",
+      "Above: exchanges, cycles, crossings, splits. Middle: the selected face. Below: the selected pixel. "
+      "The wedge: the first departure from the exact answer.");
   if (const auto marks = session.bench.marks()) draw_marks(ui, *marks, total, at, width, height);
 }
 
@@ -99,6 +110,7 @@ void draw_time_line(Ui& ui, Session& session, std::uint64_t total) {
 void draw_steps_panel(Ui& ui, Session& session, const Area& area) {
   ui.begin_panel("steps", area.corner, area.size);
   draw_buttons(ui, session);
+  draw_choices(ui, session);
   const auto trace = session.bench.trace();
   if (!trace) {
     ui.faint_paragraph("counting the steps ...");
@@ -107,7 +119,6 @@ void draw_steps_panel(Ui& ui, Session& session, const Area& area) {
     const auto moment = session.bench.moment();
     ui.paragraph(moment && !moment->sentence.empty() ? moment->sentence : "nothing is drawn yet");
   }
-  draw_choices(ui, session);
   ui.end_panel();
 }
 

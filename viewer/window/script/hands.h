@@ -23,6 +23,9 @@ class Hands {
   /// "right", "Shift+N", "Ctrl+S". Throws UsageError for a key that does not exist.
   void key(const std::string& name);
   void type(const std::string& text);
+  /// Keys, clicks, drags, wheels, sizes and scenes in any order, the same for the same seed. Nothing that
+  /// writes files or leaves.
+  void anything(int events, unsigned seed);
   void drop(const std::string& file);
   /// Draws until nothing is computed any more. Throws InputError after two minutes.
   void wait();

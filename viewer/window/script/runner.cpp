@@ -266,6 +266,11 @@ constexpr std::array commands = {
         "wheel", "NOTCHES", 1, 1,
         [](Stage& stage, Words words) { stage.hands.wheel(whole("notches", words[0], -100, 100)); }},
     ScriptCommand{"drop", "FILE", 1, 1, [](Stage& stage, Words words) { stage.hands.drop(words[0]); }},
+    ScriptCommand{"random", "EVENTS SEED", 2, 2,
+                  [](Stage& stage, Words words) {
+                    stage.hands.anything(whole("events", words[0], 1, 10000000),
+                                         static_cast<unsigned>(whole("seed", words[1], 0, 1000000000)));
+                  }},
     ScriptCommand{"wait", "", 0, 0, [](Stage& stage, Words) { stage.hands.wait(); }},
     ScriptCommand{"expect", "text WORDS, no text WORDS, or VALUE = < > <= >= != WHAT", 2, any,
                   [](Stage& stage, Words words) {

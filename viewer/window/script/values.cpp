@@ -81,17 +81,22 @@ const std::array values = {
     NamedValue{"eye.y", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.y; }},
     NamedValue{"eye.z", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.z; }},
     NamedValue{"step", [](const Session& s) -> ScriptValue { return number(s.bench.state.step); }},
-    NamedValue{"steps",
-               [](const Session& s) -> ScriptValue { return number(require(s.bench.trace(), "trace")->total); }},
-    NamedValue{"departure", [](const Session& s) -> ScriptValue {
+    NamedValue{
+        "steps",
+        [](const Session& s) -> ScriptValue { return number(require(s.bench.trace(), "trace")->total); }},
+    NamedValue{"departure",
+               [](const Session& s) -> ScriptValue {
                  const auto marks = require(s.bench.marks(), "check of the steps");
                  return marks->departure ? number(*marks->departure) : 0.0;
                }},
-    NamedValue{"fragments", [](const Session& s) -> ScriptValue {
+    NamedValue{"fragments",
+               [](const Session& s) -> ScriptValue {
                  return number(require(s.bench.story(), "story of the pixel")->pixel.list.size());
                }},
     NamedValue{"pixel-ms",
-               [](const Session& s) -> ScriptValue { return require(s.bench.story(), "story of the pixel")->milliseconds; }},
+               [](const Session& s) -> ScriptValue {
+                 return require(s.bench.story(), "story of the pixel")->milliseconds;
+               }},
     NamedValue{"problem",
                [](const Session& s) -> ScriptValue {
                  const auto problems = s.bench.problems();

@@ -48,7 +48,8 @@ Trace make_trace(const TraceKey& key, const Surroundings& given, const Progress&
   shared->renderer = spec.algorithm->prepare(*trace.scene, spec.settings, options);
   if (key.of == StepsOf::pixel) options.window = PixelBox{key.pixel.x, key.pixel.x, key.pixel.y, key.pixel.y};
   options.progress = {};  // a later run must not be stopped by what stops this one
-  const TracedRun all = [shared, scene = trace.scene, view = trace.view, options](const EventListener& listener) {
+  const TracedRun all = [shared, scene = trace.scene, view = trace.view,
+                         options](const EventListener& listener) {
     const std::lock_guard lock(shared->mutex);
     Frame frame(view.width, view.height);
     shared->renderer->trace(view, options, listener, frame);
@@ -79,7 +80,8 @@ Moment find_moment(const MomentKey& key, const Trace& trace) {
     moment.event = *last;
     moment.sentence = sentence(*last);
   }
-  const bool in_picture = key.pixel.x >= 0 && key.pixel.x < trace.view.width && key.pixel.y < trace.view.height;
+  const bool in_picture =
+      key.pixel.x >= 0 && key.pixel.x < trace.view.width && key.pixel.y < trace.view.height;
   if (in_picture) moment.list = player.state().list(key.pixel.x, key.pixel.y);
   return moment;
 }

@@ -16,7 +16,7 @@ namespace hsr::window {
 struct TraceKey {
   PictureKey picture;
   StepsOf of = StepsOf::all;
-  glm::ivec2 pixel{-1};              ///< for the steps of a pixel
+  glm::ivec2 pixel{-1};                ///< for the steps of a pixel
   std::uint32_t face = background_id;  ///< for the steps of a face
   bool operator==(const TraceKey&) const = default;
 };
@@ -43,9 +43,9 @@ struct MomentKey {
 struct Moment {
   std::uint64_t step = 0;
   Frame frame;
-  std::optional<Event> event;       ///< the step that was made last
-  std::string sentence;             ///< in words
-  std::vector<ListFragment> list;   ///< what the pixel's list holds so far
+  std::optional<Event> event;      ///< the step that was made last
+  std::string sentence;            ///< in words
+  std::vector<ListFragment> list;  ///< what the pixel's list holds so far
 };
 
 Moment find_moment(const MomentKey& key, const Trace& trace);
@@ -60,9 +60,9 @@ struct MarksKey {
 };
 
 struct Marks {
-  std::vector<std::uint64_t> pixel;   ///< at the selected pixel
-  std::vector<std::uint64_t> face;    ///< about the selected pixel's face
-  std::vector<std::uint64_t> turns;   ///< exchanges, cycles, crossings, splits
+  std::vector<std::uint64_t> pixel;        ///< at the selected pixel
+  std::vector<std::uint64_t> face;         ///< about the selected pixel's face
+  std::vector<std::uint64_t> turns;        ///< exchanges, cycles, crossings, splits
   std::optional<std::uint64_t> departure;  ///< where the exact answer is left first
 };
 

@@ -19,8 +19,9 @@ bool decides(EventKind kind) {
 }
 
 bool meets_fragment(EventKind kind) {
-  return kind == EventKind::painted || kind == EventKind::depth_tested || kind == EventKind::fragment_stored ||
-         kind == EventKind::fragment_dropped || kind == EventKind::triangle_tested;
+  return kind == EventKind::painted || kind == EventKind::depth_tested ||
+         kind == EventKind::fragment_stored || kind == EventKind::fragment_dropped ||
+         kind == EventKind::triangle_tested;
 }
 
 void find_own_order(Story& story) {

@@ -29,15 +29,15 @@ struct Story {
   std::shared_ptr<const Scene> scene;
   View view;
   PixelStory pixel;
-  std::string explanation;                 ///< one sentence
-  std::vector<bool> fronts;                ///< of each fragment of the list: its front is seen
-  std::vector<glm::vec4> colors;           ///< of each fragment, premultiplied
-  std::vector<glm::vec4> so_far;           ///< colour with all fragments up to this one
-  std::vector<std::uint32_t> own_order;    ///< places in the list, in the order in which the algorithm met them
-  bool painted = false;                    ///< that order is one of painting: what comes later covers
-  std::vector<HistoryLine> history;        ///< its first steps
+  std::string explanation;               ///< one sentence
+  std::vector<bool> fronts;              ///< of each fragment of the list: its front is seen
+  std::vector<glm::vec4> colors;         ///< of each fragment, premultiplied
+  std::vector<glm::vec4> so_far;         ///< colour with all fragments up to this one
+  std::vector<std::uint32_t> own_order;  ///< places in the list, in the order in which the algorithm met them
+  bool painted = false;                  ///< that order is one of painting: what comes later covers
+  std::vector<HistoryLine> history;      ///< its first steps
   std::uint64_t history_total = 0;
-  std::string text;                        ///< all of it, as hsr pixel prints it
+  std::string text;  ///< all of it, as hsr pixel prints it
   double milliseconds = 0.0;
 };
 
