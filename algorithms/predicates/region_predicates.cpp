@@ -304,6 +304,9 @@ Region RegionPredicates::clipped(const Region& region, const RegionLine& line) {
 }
 
 Region RegionPredicates::common(const Region& p, const Region& q) {
+  // A point or a line has not the lines that would cut another region down to it.
+  constexpr std::size_t least_with_area = 3;
+  if (q.vertices.size() < least_with_area && p.vertices.size() >= least_with_area) return common(q, p);
   Region result = p;
   for (const RegionLine& line : q.lines) {
     if (result.empty()) break;

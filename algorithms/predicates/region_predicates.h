@@ -73,7 +73,7 @@ class RegionPredicates {
   Sides sides(const RegionLine& line, const Region& region);
   /// The part of a region where the line's function is >= 0 (Sutherland and Hodgman 1974).
   Region clipped(const Region& region, const RegionLine& line);
-  /// The common part of two regions.
+  /// The common part of two regions; of two that are points or lines, perhaps more than that.
   Region common(const Region& p, const Region& q);
 
   /// Bounds of a region in the plane of triangle `id`.
