@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -21,15 +20,24 @@ struct Polygon {
   std::vector<glm::dvec2> corners;
 };
 
+/// What stands in quotation marks after `name=` in a line, or nothing.
+std::string attribute(const std::string& line, const std::string& name) {
+  const std::size_t found = line.find(" " + name + "=\"");
+  if (found == std::string::npos) return {};
+  const std::size_t begin = found + name.size() + 3;
+  return line.substr(begin, line.find('"', begin) - begin);
+}
+
 /// Reads the polygons back from the text of the file, with nothing of what wrote it.
 std::vector<Polygon> polygons_in(const std::string& svg) {
   std::vector<Polygon> polygons;
-  const std::regex pattern("data-triangles=\"([0-9 ]*)\"[^>]* points=\"([^\"]*)\"");
-  for (std::sregex_iterator found(svg.begin(), svg.end(), pattern), end; found != end; ++found) {
+  std::istringstream lines(svg);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("<polygon ")) continue;
     Polygon polygon;
-    std::istringstream ids((*found)[1].str());
+    std::istringstream ids(attribute(line, "data-triangles"));
     for (std::uint32_t id = 0; ids >> id;) polygon.triangles.push_back(id);
-    std::istringstream points((*found)[2].str());
+    std::istringstream points(attribute(line, "points"));
     char comma = 0;
     for (glm::dvec2 corner; points >> corner.x >> comma >> corner.y;) polygon.corners.push_back(corner);
     polygons.push_back(polygon);
