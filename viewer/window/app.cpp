@@ -90,7 +90,9 @@ void App::frame() {
   SDL_SetRenderDrawColor(window_.renderer(), 0, 0, 0, 255);
   SDL_RenderClear(window_.renderer());
   bridge_.draw(*ImGui::GetDrawData());
+  SDL_RenderFlush(window_.renderer());  // without it frames that are never presented would pile up
   if (std::exchange(session_.screenshot, false)) save_window(session_, window_);
+  session_.slowest_frame_ms = std::max(session_.slowest_frame_ms, 1000.0 * (seconds_now() - now));
   animating_ = session_.bench.state.comparing == Comparing::blink || session_.playing ||
                session_.moving_parameter >= 0;
 }

@@ -33,6 +33,7 @@ struct Session {
   SDL_Renderer* renderer = nullptr;
   double now = 0.0;  ///< seconds since the window opened
   bool quit = false;
+  double slowest_frame_ms = 0.0;      ///< what drawing took at most, since somebody set it to 0
   bool key_card = false;              ///< the list of keys is shown
   bool panel_keys = false;            ///< the keyboard moves through the panels
   bool search_scene = false;          ///< the scene picker is to open, ready to type

@@ -57,6 +57,14 @@ void Ui::note(const char* label, const std::string& tip) {
   resume_recording();
 }
 
+void Ui::beside(const char* next_label, float gap) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float width = ImGui::CalcTextSize(next_label, nullptr, true).x + 2.0F * style.FramePadding.x;
+  const float space = gap >= 0.0F ? gap : style.ItemSpacing.x;
+  const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+  if (ImGui::GetItemRectMax().x + space + width <= right) ImGui::SameLine(0.0F, gap);
+}
+
 bool Ui::button(const char* label, const std::string& tip) {
   const bool pressed = ImGui::Button(label);
   note(label, tip);

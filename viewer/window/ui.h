@@ -38,6 +38,8 @@ class Ui {
                    ImGuiWindowFlags flags = ImGuiWindowFlags_NoBringToFrontOnFocus);
   void end_panel();
 
+  /// Puts the next button beside the last one if there is room for it, else below.
+  void beside(const char* next_label, float gap = -1.0F);
   bool button(const char* label, const std::string& tip = {});
   /// A button that stays pressed while `on`.
   bool toggle(const char* label, bool on, const std::string& tip = {});

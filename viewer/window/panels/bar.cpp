@@ -1,23 +1,71 @@
+#include <algorithm>
+#include <vector>
+
 #include "window/panels/panels.h"
 #include "window/playing.h"
 
 namespace hsr::window {
 
+namespace {
+
+std::string label_of(std::size_t place) {
+  // Only the first nine have a key.
+  return (place < 9 ? std::to_string(place + 1) + " " : "") + std::string(algorithm_catalog()[place]->name);
+}
+
+std::string tip_of(const Algorithm& algorithm) {
+  return std::string(algorithm.title) + ". " + std::string(algorithm.idea);
+}
+
+void draw_algorithm_buttons(Ui& ui, Session& session) {
+  const auto algorithms = algorithm_catalog();
+  for (std::size_t k = 0; k < algorithms.size(); ++k) {
+    const bool chosen = session.bench.state.algorithm.algorithm == algorithms[k];
+    if (ui.toggle(label_of(k).c_str(), chosen, tip_of(*algorithms[k]))) {
+      session.bench.select_algorithm(parse_algorithm_spec(algorithms[k]->name));
+    }
+    ImGui::SameLine();
+  }
+}
+
+/// Where there is no room for a button each.
+void draw_algorithm_list(Ui& ui, Session& session) {
+  const auto algorithms = algorithm_catalog();
+  std::vector<std::string> labels;
+  std::size_t chosen = 0;
+  for (std::size_t k = 0; k < algorithms.size(); ++k) {
+    labels.push_back(label_of(k));
+    if (session.bench.state.algorithm.algorithm == algorithms[k]) chosen = k;
+  }
+  const std::vector<std::string_view> names(labels.begin(), labels.end());
+  ImGui::SetNextItemWidth(12.0F * ui.em);
+  if (ui.combo("##algorithm", chosen, names, tip_of(*algorithms[chosen]))) {
+    session.bench.select_algorithm(parse_algorithm_spec(algorithms[chosen]->name));
+  }
+  ImGui::SameLine();
+}
+
+float buttons_width() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 0.0F;
+  for (std::size_t k = 0; k < algorithm_catalog().size(); ++k) {
+    width += ImGui::CalcTextSize(label_of(k).c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  }
+  return width;
+}
+
+}  // namespace
+
 void draw_bar(Ui& ui, Session& session, const Area& area) {
   State& state = session.bench.state;
   ui.begin_panel("bar", area.corner, area.size,
                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar);
-  const auto algorithms = algorithm_catalog();
-  for (std::size_t k = 0; k < algorithms.size(); ++k) {
-    const Algorithm& algorithm = *algorithms[k];
-    const std::string label = (k < 9 ? std::to_string(k + 1) + " " : "") + std::string(algorithm.name);
-    const std::string tip = std::string(algorithm.title) + ". " + std::string(algorithm.idea);
-    if (ui.toggle(label.c_str(), state.algorithm.algorithm == &algorithm, tip)) {
-      session.bench.select_algorithm(parse_algorithm_spec(algorithm.name));
-    }
-    ImGui::SameLine();
-  }
   const float width = ImGui::CalcTextSize("Steps Outside Lecture Light Keys").x + 6.5F * ui.em;
+  if (buttons_width() + width < ImGui::GetWindowWidth()) {
+    draw_algorithm_buttons(ui, session);
+  } else {
+    draw_algorithm_list(ui, session);
+  }
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
   if (ui.toggle("Steps", state.stepping, "The algorithm's steps, forward and back (P)"))
     toggle_stepping(session);

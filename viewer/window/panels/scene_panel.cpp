@@ -73,7 +73,7 @@ void draw_parameters(Ui& ui, Session& session) {
   for (std::size_t k = 0; k < words.values().size(); ++k) {
     const SceneParameter& parameter = words.entry()->parameters[k];
     const std::string name(parameter.name);
-    ImGui::SetNextItemWidth(0.48F * ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(0.45F * ImGui::GetContentRegionAvail().x);
     double& value = words.values()[k];
     if (parameter.whole) {
       int number = static_cast<int>(value);
@@ -88,12 +88,13 @@ void draw_parameters(Ui& ui, Session& session) {
                            powers ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
       value = std::clamp(static_cast<double>(number), parameter.least, parameter.greatest);
     }
-    ImGui::SameLine();
+    ImGui::SameLine(ImGui::GetContentRegionAvail().x - 0.4F * ui.em);
     const bool moves = session.moving_parameter == static_cast<int>(k);
-    const std::string label = (moves ? "stop##" : "move##") + name;
+    const std::string label = "\xE2\x86\x95##" + name;  // an arrow up and down
     if (ui.toggle(label.c_str(), moves, "Let it go up and down: everything is built anew for each picture")) {
       session.moving_parameter = moves ? -1 : static_cast<int>(k);
     }
+    ui.note(("move " + name).c_str());
   }
   if (changed) {
     session.bench.state.scene = words.text();

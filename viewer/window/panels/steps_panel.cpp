@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "text_layout.h"
@@ -9,34 +10,36 @@ namespace hsr::window {
 namespace {
 
 void draw_buttons(Ui& ui, Session& session) {
-  const auto next = [](float gap = -1.0F) { ImGui::SameLine(0.0F, gap); };
   if (ui.button("|\xE2\x97\x80", "To the beginning (Home)")) go_to_step(session, 0);
-  next();
+  ImGui::SameLine();
   if (ui.button("\xE2\x97\x80", "One step back (comma)")) step_by(session, -1);
-  next();
+  ImGui::SameLine();
   if (ui.toggle(session.playing ? "Pause" : "Play", session.playing, "Space")) toggle_playing(session);
-  next();
+  ImGui::SameLine();
   if (ui.button("\xE2\x96\xB6", "One step forward (period)")) step_by(session, 1);
-  next();
+  ImGui::SameLine();
   if (ui.button("\xE2\x96\xB6|", "To the end (End)")) {
     if (const auto trace = session.bench.trace()) go_to_step(session, trace->total);
   }
-  next(1.5F * ui.em);
-  if (ui.button("\xE2\x86\x90 pixel", "The step before at the selected pixel ([)"))
-    go_to_mark(session, MarkKind::pixel, -1);
-  next();
-  if (ui.button("pixel \xE2\x86\x92", "The next step at the selected pixel (])"))
-    go_to_mark(session, MarkKind::pixel, 1);
-  next();
-  if (ui.button("face \xE2\x86\x92", "The next step of the face at the selected pixel (Shift ])")) {
-    go_to_mark(session, MarkKind::face, 1);
+  struct Jump {
+    const char* label;
+    const char* tip;
+    void (*go)(Session&);
+  };
+  static constexpr std::array jumps = {
+      Jump{"\xE2\x86\x90 pixel", "The step before at the selected pixel ([)",
+           [](Session& s) { go_to_mark(s, MarkKind::pixel, -1); }},
+      Jump{"pixel \xE2\x86\x92", "The next step at the selected pixel (])",
+           [](Session& s) { go_to_mark(s, MarkKind::pixel, 1); }},
+      Jump{"face \xE2\x86\x92", "The next step of the face at the selected pixel (Shift ])",
+           [](Session& s) { go_to_mark(s, MarkKind::face, 1); }},
+      Jump{"turn \xE2\x86\x92", "The next exchange, cycle, crossing or split (X)",
+           [](Session& s) { go_to_mark(s, MarkKind::turn, 1); }},
+      Jump{"departure", "The first step after which a wrong triangle is seen for good (F)", go_to_departure}};
+  for (const Jump& jump : jumps) {
+    ui.beside(jump.label, &jump == jumps.data() ? 1.5F * ui.em : -1.0F);
+    if (ui.button(jump.label, jump.tip)) jump.go(session);
   }
-  next();
-  if (ui.button("turn \xE2\x86\x92", "The next exchange, cycle, crossing or split (X)"))
-    go_to_mark(session, MarkKind::turn, 1);
-  next();
-  if (ui.button("departure", "The first step after which a wrong triangle is seen for good (F)"))
-    go_to_departure(session);
 }
 
 void draw_choices(Ui& ui, Session& session) {

@@ -23,7 +23,7 @@ void Hands::move(int x, int y) {
   event.motion.x = x;
   event.motion.y = y;
   push(event);
-  frames(2);
+  settle();
 }
 
 void Hands::press(Uint8 button) {
@@ -34,7 +34,7 @@ void Hands::press(Uint8 button) {
   event.button.x = static_cast<Sint32>(place.x);
   event.button.y = static_cast<Sint32>(place.y);
   push(event);
-  frames(2);
+  settle();
 }
 
 void Hands::release(Uint8 button) {
@@ -45,7 +45,7 @@ void Hands::release(Uint8 button) {
   event.button.x = static_cast<Sint32>(place.x);
   event.button.y = static_cast<Sint32>(place.y);
   push(event);
-  frames(2);
+  settle();
 }
 
 void Hands::click(int x, int y, Uint8 button) {
@@ -69,7 +69,7 @@ void Hands::wheel(int notches) {
   event.type = SDL_MOUSEWHEEL;
   event.wheel.y = notches;
   push(event);
-  frames(2);
+  settle();
 }
 
 void Hands::key(const std::string& name) {
@@ -101,7 +101,7 @@ void Hands::key(const std::string& name) {
     event.key.keysym.scancode = SDL_GetScancodeFromKey(code);
     event.key.keysym.mod = static_cast<Uint16>(type == SDL_KEYDOWN ? modifiers : 0U);
     push(event);
-    frames(2);
+    settle();
   }
 }
 
@@ -116,7 +116,7 @@ void Hands::type(const std::string& text) {
     if (end == done) end = std::min(done + sizeof(event.text.text) - 1, text.size());
     std::memcpy(event.text.text, text.data() + done, end - done);
     push(event);
-    frames(2);
+    settle();
     done = end;
   }
 }
@@ -126,7 +126,7 @@ void Hands::drop(const std::string& file) {
   event.type = SDL_DROPFILE;
   event.drop.file = SDL_strdup(file.c_str());
   push(event);
-  frames(2);
+  settle();
 }
 
 void Hands::wait() {

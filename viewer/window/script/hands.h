@@ -34,7 +34,11 @@ class Hands {
  private:
   void push(SDL_Event event);
 
+  /// Draws as often as it takes until an event has had its effect.
+  void settle() { frames(frames_after_event_); }
+
   App& app_;
+  int frames_after_event_ = 2;
 };
 
 }  // namespace hsr::window

@@ -25,6 +25,8 @@ void Hands::anything(int events, unsigned seed) {
   const auto below = [&random](std::size_t count) { return static_cast<int>(random() % count); };
   const auto any_x = [&] { return below(1400) - 40; };
   const auto any_y = [&] { return below(900) - 40; };
+  // Several events come between two pictures, as from a person in a hurry.
+  frames_after_event_ = 0;
   int done = 0;
   while (done < events && !app_.session().quit) {
     const int kind = below(100);
@@ -46,13 +48,14 @@ void Hands::anything(int events, unsigned seed) {
       done += 1;
     } else if (kind < 97) {
       app_.window().resize({640 + below(900), 400 + below(600)});
-      frames(1);
       done += 1;
     } else {
       drop(scenes[static_cast<std::size_t>(below(scenes.size()))]);
       done += 1;
     }
+    frames(1);
   }
+  frames_after_event_ = 2;
 }
 
 }  // namespace hsr::window

@@ -13,9 +13,11 @@
 #include "output_file.h"
 #include "scene/errors.h"
 #include "text_file.h"
+#include "text_layout.h"
 #include "values.h"
 #include "window/script/expectation.h"
 #include "window/script/hands.h"
+#include "window/script/values.h"
 #include "window/state_text.h"
 #include "window/text_lines.h"
 
@@ -28,6 +30,7 @@ using Words = std::span<const std::string>;
 struct Stage {
   App& app;
   Hands hands;
+  std::ostream& out;
   State& state() const { return app.session().bench.state; }
 };
 
@@ -271,6 +274,15 @@ constexpr std::array commands = {
                     stage.hands.anything(whole("events", words[0], 1, 10000000),
                                          static_cast<unsigned>(whole("seed", words[1], 0, 1000000000)));
                   }},
+    ScriptCommand{"measure", "(frame-ms begins anew)", 0, 0,
+                  [](Stage& stage, Words) { stage.app.session().slowest_frame_ms = 0.0; }},
+    ScriptCommand{"print", "VALUE", 1, 1,
+                  [](Stage& stage, Words words) {
+                    const ScriptValue value = script_value(stage.app.session(), words[0]);
+                    const auto* number = std::get_if<double>(&value);
+                    stage.out << words[0] << " = "
+                              << (number != nullptr ? significant(*number, 6) : std::get<std::string>(value)) << "\n";
+                  }},
     ScriptCommand{"wait", "", 0, 0, [](Stage& stage, Words) { stage.hands.wait(); }},
     ScriptCommand{"expect", "text WORDS, no text WORDS, or VALUE = < > <= >= != WHAT", 2, any,
                   [](Stage& stage, Words words) {
@@ -312,7 +324,7 @@ void run_script(App& app, const std::filesystem::path& file, std::ostream& out) 
   };
   for (const TextLine& line : lines) with_place(line, [&] { (void)find_command(line.words); });
   app.recorder().on = true;
-  Stage stage = {app, Hands(app)};
+  Stage stage = {app, Hands(app), out};
   stage.hands.frames(2);
   for (const TextLine& line : lines) {
     if (app.session().quit) break;

@@ -80,6 +80,7 @@ const std::array values = {
     NamedValue{"eye.x", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.x; }},
     NamedValue{"eye.y", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.y; }},
     NamedValue{"eye.z", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.z; }},
+    NamedValue{"frame-ms", [](const Session& s) -> ScriptValue { return s.slowest_frame_ms; }},
     NamedValue{"step", [](const Session& s) -> ScriptValue { return number(s.bench.state.step); }},
     NamedValue{
         "steps",

@@ -37,9 +37,15 @@ Bitmap over_backdrop(std::span<const glm::vec4> colors, int width, int height, c
   Bitmap bitmap = {width, height, {}};
   bitmap.pixels.reserve(colors.size());
   const glm::vec4 behind(backdrop, 1.0F);
+  glm::vec4 last(-1.0F);
+  std::uint32_t encoded = 0;
   for (const glm::vec4& color : colors) {
-    const glm::vec4 seen = over(color, behind);
-    bitmap.pixels.push_back(rgba(encode(seen.r), encode(seen.g), encode(seen.b)));
+    if (color != last) {  // neighbours mostly have the same colour
+      last = color;
+      const glm::vec4 seen = over(color, behind);
+      encoded = rgba(encode(seen.r), encode(seen.g), encode(seen.b));
+    }
+    bitmap.pixels.push_back(encoded);
   }
   return bitmap;
 }
