@@ -54,7 +54,7 @@ void App::run() {
   constexpr int frames_after_event = 3;
   int frames = frames_after_event;
   while (!session_.quit) {
-    const bool working = session_.bench.busy() || session_.now < session_.message_until;
+    const bool working = session_.bench.busy() || session_.has_message();
     const int wait = frames > 0 || restless() ? 0 : working ? 50 : 60000;
     if (wait > 0 && SDL_WaitEventTimeout(nullptr, wait) != 0) frames = frames_after_event;
     if (SDL_HasEvents(SDL_FIRSTEVENT, SDL_LASTEVENT)) frames = frames_after_event;

@@ -41,7 +41,8 @@ struct Session {
   std::optional<glm::ivec2> hovered;  ///< the pixel under the mouse
   std::string message;                ///< told for a while in the status line
   double message_until = 0.0;
-  Extent picture_room = {640, 400};  ///< pixels that the picture has on the screen
+  std::uint64_t message_pictures = 0;  ///< how many pictures there had been: with the next it is of the past
+  Extent picture_room = {640, 400};    ///< pixels that the picture has on the screen
 
   ShownPicture shown_picture;
   ShownPicture shown_other;
@@ -64,7 +65,9 @@ struct Session {
     constexpr double seconds = 6.0;
     message = text;
     message_until = now + seconds;
+    message_pictures = bench.pictures_made();
   }
+  bool has_message() const { return now < message_until && bench.pictures_made() == message_pictures; }
   /// The pixel that is explained: the selected one, or else the one under the mouse.
   std::optional<glm::ivec2> pixel_in_question() const {
     return bench.state.pixel ? bench.state.pixel : hovered;

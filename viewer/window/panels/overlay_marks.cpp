@@ -82,6 +82,12 @@ void draw_selection(Ui& ui, Session& session, const PicturePlace& place, ImDrawL
 
 namespace {
 
+/// What is drawn round lines so that they are seen on any picture: the opposite of the letters' brightness.
+ImU32 halo(const Palette& palette) {
+  const bool dark_letters = (palette.text & 0xFFU) < 128U;
+  return dark_letters ? IM_COL32(255, 255, 255, 230) : IM_COL32(0, 0, 0, 210);
+}
+
 void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector<glm::dvec2>& polygon,
                   ImU32 ink, float width) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -94,7 +100,7 @@ void draw_polygon(ImDrawList& list, const PicturePlace& place, const std::vector
 void draw_outline(Ui& ui, const View& view, std::uint32_t id, const PicturePlace& place, ImDrawList& list,
                   ImU32 ink) {
   const std::vector<glm::dvec2> polygon = outline(view, id);
-  draw_polygon(list, place, polygon, IM_COL32(0, 0, 0, 200), 4.5F * ui.stroke);
+  draw_polygon(list, place, polygon, halo(ui.palette), 5.0F * ui.stroke);
   draw_polygon(list, place, polygon, ink, 2.0F * ui.stroke);
 }
 

@@ -88,9 +88,11 @@ void draw_parameters(Ui& ui, Session& session) {
                            powers ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
       value = std::clamp(static_cast<double>(number), parameter.least, parameter.greatest);
     }
-    ImGui::SameLine(ImGui::GetContentRegionAvail().x - 0.4F * ui.em);
     const bool moves = session.moving_parameter == static_cast<int>(k);
     const std::string label = "\xE2\x86\x95##" + name;  // an arrow up and down
+    const float button =
+        ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
     if (ui.toggle(label.c_str(), moves, "Let it go up and down: everything is built anew for each picture")) {
       session.moving_parameter = moves ? -1 : static_cast<int>(k);
     }

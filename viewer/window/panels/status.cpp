@@ -56,7 +56,7 @@ void draw_status(Ui& ui, Session& session, const Area& area) {
     ImGui::TextUnformatted("stopped");
     ImGui::SameLine();
     if (ui.button("Go on", "Begin again what was stopped")) session.bench.retry();
-  } else if (session.now < session.message_until) {
+  } else if (session.has_message()) {
     ImGui::TextUnformatted(session.message.c_str());
   } else {
     ImGui::TextUnformatted(picture_line(session).c_str());
