@@ -10,6 +10,7 @@
 #include "algorithm.h"
 #include "exact/list_errors.h"
 #include "scene/catalog.h"
+#include "support/effort.h"
 #include "support/picture_text.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -91,7 +92,7 @@ TEST_CASE("depthlist: the steps of that pixel, one by one") {
 }
 
 TEST_CASE("depthlist: 300,000 fragments in one pixel, ten thousand of them at one depth") {
-  constexpr std::uint32_t count = 300000;
+  constexpr auto count = static_cast<std::uint32_t>(hsr::test::cases(300000));
   hsr::Scene scene;
   std::mt19937_64 random(1);
   std::vector<float> depth;

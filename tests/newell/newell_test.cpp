@@ -7,6 +7,7 @@
 #include "algorithm.h"
 #include "exact/errors.h"
 #include "scene/catalog.h"
+#include "support/effort.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
 
@@ -144,7 +145,7 @@ TEST_CASE("newell: an epsilon in place of exact signs goes wrong where surfaces 
 }
 
 TEST_CASE("newell: troublesome scenes of 3 to 30 triangles have no wrong pixel") {
-  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+  for (std::uint64_t seed = 1; seed <= hsr::test::cases(400); ++seed) {
     const Scene scene = hsr::test::troublesome_scene(seed, 3 + static_cast<int>(seed % 28));
     const View view = hsr::test::front_view(scene, 16, 12, 4.0, 0.5, 7.0);
     const std::uint64_t wrong = wrong_pixels(view, seed % 2 == 0 ? "newell" : "newell[faces=off]");

@@ -9,6 +9,7 @@
 #include "exact/exact_answer.h"
 #include "exact/list_errors.h"
 #include "scene/catalog.h"
+#include "support/effort.h"
 #include "support/picture_text.h"
 #include "support/render.h"
 #include "support/small_scenes.h"
@@ -58,7 +59,7 @@ TEST_CASE("properties: lists equal the exact lists on every built-in scene") {
 }
 
 TEST_CASE("properties: lists equal the exact lists on troublesome random scenes") {
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= hsr::test::cases(100); ++seed) {
     CAPTURE(seed);
     const hsr::Scene scene = hsr::test::troublesome_scene(seed, 3 + static_cast<int>(seed % 28));
     check_lists(hsr::test::front_view(scene, 24, 18, 4.0, 0.5, 7.0));
