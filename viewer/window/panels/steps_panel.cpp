@@ -112,8 +112,6 @@ void draw_time_line(Ui& ui, Session& session, std::uint64_t total) {
 
 void draw_steps_panel(Ui& ui, Session& session, const Area& area) {
   ui.begin_panel("steps", area.corner, area.size);
-  draw_buttons(ui, session);
-  draw_choices(ui, session);
   const auto trace = session.bench.trace();
   if (!trace) {
     ui.faint_paragraph("counting the steps ...");
@@ -122,6 +120,9 @@ void draw_steps_panel(Ui& ui, Session& session, const Area& area) {
     const auto moment = session.bench.moment();
     ui.paragraph(moment && !moment->sentence.empty() ? moment->sentence : "nothing is drawn yet");
   }
+  // Last, as in a narrow window they need several rows, and the sentence must be seen.
+  draw_buttons(ui, session);
+  draw_choices(ui, session);
   ui.end_panel();
 }
 
