@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "window/results/story.h"
 #include "window/session.h"
-#include "window/work/story.h"
 
 namespace hsr::window {
 

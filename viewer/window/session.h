@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "window/results/bitmap.h"
 #include "window/sdl_window.h"
-#include "window/work/bitmap.h"
 #include "window/workbench.h"
 
 namespace hsr::window {

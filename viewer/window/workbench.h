@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "window/lane.h"
+#include "window/results/model.h"
+#include "window/results/rendered.h"
+#include "window/results/steps.h"
+#include "window/results/story.h"
+#include "window/results/truth.h"
 #include "window/state.h"
-#include "window/work/model.h"
-#include "window/work/rendered.h"
-#include "window/work/steps.h"
-#include "window/work/story.h"
-#include "window/work/truth.h"
 
 namespace hsr::window {
 

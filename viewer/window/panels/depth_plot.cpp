@@ -6,7 +6,7 @@
 #include "frame/srgb.h"
 #include "text_layout.h"
 #include "view/shading.h"
-#include "window/work/bitmap.h"
+#include "window/results/bitmap.h"
 
 namespace hsr::window {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "window/results/story.h"
 #include "window/ui.h"
-#include "window/work/story.h"
 
 namespace hsr::window {
 

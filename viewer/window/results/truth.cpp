@@ -1,4 +1,4 @@
-#include "window/work/truth.h"
+#include "window/results/truth.h"
 
 #include "exact/exact_colors.h"
 #include "exact/worker.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "failures/pixel_story.h"
-#include "window/work/rendered.h"
+#include "window/results/rendered.h"
 
 namespace hsr::window {
 

@@ -1,4 +1,4 @@
-#include "window/work/story.h"
+#include "window/results/story.h"
 
 #include <algorithm>
 #include <unordered_map>

@@ -1,4 +1,4 @@
-#include "window/work/bitmap.h"
+#include "window/results/bitmap.h"
 
 #include <algorithm>
 #include <array>

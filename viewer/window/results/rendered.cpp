@@ -1,4 +1,4 @@
-#include "window/work/rendered.h"
+#include "window/results/rendered.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "window/work/steps.h"
+#include "window/results/steps.h"
 
 #include <mutex>
 

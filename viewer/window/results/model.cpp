@@ -1,4 +1,4 @@
-#include "window/work/model.h"
+#include "window/results/model.h"
 
 #include "picture.h"
 

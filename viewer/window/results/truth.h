@@ -7,7 +7,7 @@
 #include "exact/errors.h"
 #include "exact/exact_answer.h"
 #include "failures/ordering_failures.h"
-#include "window/work/rendered.h"
+#include "window/results/rendered.h"
 
 namespace hsr::window {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "algorithm.h"
-#include "window/work/model.h"
+#include "window/results/model.h"
 
 namespace hsr::window {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "trace/player.h"
-#include "window/work/rendered.h"
-#include "window/work/truth.h"
+#include "window/results/rendered.h"
+#include "window/results/truth.h"
 
 namespace hsr::window {
 
