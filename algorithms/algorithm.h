@@ -92,7 +92,7 @@ class Renderer {
   /// same each time, and the frame is that of render. With a window, steps at other pixels are left
   /// out, and steps that are about no pixel are told all the same.
   virtual RenderReport trace(const View& view, const RenderOptions& options, const EventListener& listener,
-                             Frame& frame);
+                             Frame& frame) = 0;
 };
 
 /// One row of the table of algorithms.
