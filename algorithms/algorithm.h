@@ -60,6 +60,8 @@ struct RenderOptions {
   std::set<std::string, std::less<>> skips_off = {};  ///< names of skips not to use
   Progress progress = {};
   std::optional<PixelBox> window = {};  ///< if given, only these pixels are rendered
+  /// The instruction set that fast versions use, one of those that the machine has; its best if empty.
+  std::string instruction_set = {};
 
   bool uses(std::string_view skip) const { return !skips_off.contains(skip); }
   /// The same on one thread, as traces need it.

@@ -45,6 +45,17 @@ if(NOT TARGET TBB::tbb)
 endif()
 hsr_alias(tbb TBB::tbb)
 
+# Vector instructions: one text for AVX-512, AVX2, SSE4 and NEON, the best of the machine chosen at run time.
+find_package(hwy QUIET CONFIG)
+if(NOT TARGET hwy::hwy)
+  set(HWY_ENABLE_CONTRIB OFF CACHE BOOL "" FORCE)
+  set(HWY_ENABLE_EXAMPLES OFF CACHE BOOL "" FORCE)
+  set(HWY_ENABLE_INSTALL OFF CACHE BOOL "" FORCE)
+  set(HWY_ENABLE_TESTS OFF CACHE BOOL "" FORCE)
+  hsr_fetch(highway https://github.com/google/highway.git 1.0.3)
+endif()
+hsr_alias(highway hwy::hwy hwy)
+
 # Compressed files; OpenEXR needs it too.
 find_package(ZLIB QUIET)
 if(NOT TARGET ZLIB::ZLIB)

@@ -23,6 +23,16 @@ struct Frame {
         depth(pixel_count(), std::numeric_limits<float>::infinity()),
         id(pixel_count(), background_id) {}
 
+  /// A frame for ids and depths alone, without colours. Only fast versions can fill it.
+  static Frame without_colors(int frame_width, int frame_height) {
+    Frame frame;
+    frame.width = frame_width;
+    frame.height = frame_height;
+    frame.depth.assign(frame.pixel_count(), std::numeric_limits<float>::infinity());
+    frame.id.assign(frame.pixel_count(), background_id);
+    return frame;
+  }
+
   std::size_t pixel_count() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   }
@@ -32,7 +42,9 @@ struct Frame {
 
   int width = 0;
   int height = 0;
-  std::vector<glm::vec4> color;   ///< linear RGB times opacity, and opacity; background all zero
+  /// Linear RGB times opacity, and opacity; background all zero. Empty where ids and depths are all that
+  /// is wanted.
+  std::vector<glm::vec4> color;
   std::vector<float> depth;       ///< eye depth in scene units; background +infinity
   std::vector<std::uint32_t> id;  ///< primitive id; background_id where nothing is shown
   /// Set by whoever wants them, and filled by algorithms that keep every fragment; else left empty.
