@@ -55,6 +55,21 @@ if(NOT TARGET hwy::hwy)
   hsr_fetch(highway https://github.com/google/highway.git 1.0.3)
 endif()
 hsr_alias(highway hwy::hwy hwy)
+# Each instruction set is a compilation of its own, so they are few. The plain one is SSE4, which every x86
+# of the last fifteen years has. Sanitizers see the same text whatever the set, so one set is enough there.
+set(HSR_INSTRUCTION_SETS "" CACHE STRING "On x86: sse4 to build the fast versions for that set alone")
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set(hsr_disabled_sets "(HWY_AVX3_DL|HWY_SSSE3|HWY_SCALAR)")
+  if(HSR_SANITIZE OR HSR_INSTRUCTION_SETS STREQUAL "sse4")
+    set(hsr_disabled_sets "(HWY_AVX3_DL|HWY_AVX3|HWY_AVX2|HWY_SSSE3|HWY_SCALAR)")
+  endif()
+  target_compile_definitions(hsr_highway INTERFACE "HWY_BASELINE_TARGETS=HWY_SSE4"
+                             "HWY_DISABLED_TARGETS=${hsr_disabled_sets}")
+else()
+  # Vectors whose length is known only at run time cannot be members of our structures.
+  target_compile_definitions(hsr_highway INTERFACE
+                             "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+endif()
 
 # Compressed files; OpenEXR needs it too.
 find_package(ZLIB QUIET)
