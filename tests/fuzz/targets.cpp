@@ -16,6 +16,8 @@ std::span<const Target> targets() {
       Target{"spec", spec},
       Target{"built_in_scene", built_in_scene},
       Target{"values", values},
+      Target{"state", state},
+      Target{"script", script},
       Target{"render", render},
   };
   return all;

@@ -30,6 +30,8 @@ void any_format(std::string_view bytes);
 void spec(std::string_view bytes);
 void built_in_scene(std::string_view bytes);
 void values(std::string_view bytes);
+void state(std::string_view bytes);
+void script(std::string_view bytes);
 void render(std::string_view bytes);
 
 struct Target {

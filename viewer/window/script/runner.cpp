@@ -15,6 +15,7 @@
 #include "text_file.h"
 #include "text_layout.h"
 #include "values.h"
+#include "window/app.h"
 #include "window/script/expectation.h"
 #include "window/script/hands.h"
 #include "window/script/values.h"
@@ -306,29 +307,38 @@ const ScriptCommand& find_command(const std::vector<std::string>& words) {
   return *found;
 }
 
+/// Does `work`, and says of what it throws in which line of which script it was.
+template <class Work>
+void with_place(const std::string& source, const TextLine& line, Work work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(source + ":" + std::to_string(line.number) + ": " + error.what());
+  }
+}
+
+/// The lines of a script, each of which is a command with as many words as it takes.
+std::vector<TextLine> checked_lines(std::string_view text, const std::string& source) {
+  std::vector<TextLine> lines = split_lines(text, source);
+  for (const TextLine& line : lines) with_place(source, line, [&] { (void)find_command(line.words); });
+  return lines;
+}
+
 }  // namespace
 
+void check_script(std::string_view text, const std::string& source) { (void)checked_lines(text, source); }
+
 void run_script(App& app, const std::filesystem::path& file, std::ostream& out) {
-  const std::vector<TextLine> lines = split_lines(read_text_file(file), file.string());
-  const auto at = [&file](const TextLine& line) {
-    return file.string() + ":" + std::to_string(line.number) + ": ";
-  };
-  const auto with_place = [&](const TextLine& line, const auto& work) {
-    try {
-      work();
-    } catch (const std::bad_alloc&) {
-      throw;
-    } catch (const std::exception& error) {
-      throw InputError(at(line) + error.what());
-    }
-  };
-  for (const TextLine& line : lines) with_place(line, [&] { (void)find_command(line.words); });
+  const std::vector<TextLine> lines = checked_lines(read_text_file(file), file.string());
   app.recorder().on = true;
   Stage stage = {app, Hands(app), out};
   stage.hands.frames(2);
   for (const TextLine& line : lines) {
     if (app.session().quit) break;
-    with_place(line, [&] { find_command(line.words).run(stage, Words(line.words).subspan(1)); });
+    with_place(file.string(), line,
+               [&] { find_command(line.words).run(stage, Words(line.words).subspan(1)); });
   }
   out << file.string() << ": " << lines.size() << (lines.size() == 1 ? " line" : " lines")
       << ", all as expected\n";
