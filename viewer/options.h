@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithm.h"
+#include "bench/bench_options.h"
 #include "predicates/pixel_box.h"
 #include "values.h"
 
@@ -101,6 +102,6 @@ struct ShowText {
 
 /// What the user wants done.
 using Command = std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
-                             ExportCommand, ListCommand>;
+                             ExportCommand, BenchCommand, ListCommand>;
 
 }  // namespace hsr

@@ -27,6 +27,9 @@ void run(const ExportCommand& command, std::ostream& out);
 /// hsr list: what there is to choose from.
 void run(const ListCommand& command, std::ostream& out);
 
+/// hsr bench: run times, beside other programs.
+void run(const BenchCommand& command, std::ostream& out);
+
 /// hsr view: the window.
 void run(const ViewCommand& command, std::ostream& out);
 
