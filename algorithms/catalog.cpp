@@ -11,13 +11,14 @@
 #include "painter/painter.h"
 #include "raycast/raycast.h"
 #include "zbuffer/zbuffer.h"
+#include "zbuffer/zbuffer_fast.h"
 
 namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),    &painter_algorithm(),   &newell_algorithm(),  &zbuffer_algorithm(),
-      &abuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
+      &none_algorithm(),         &painter_algorithm(), &newell_algorithm(),    &zbuffer_algorithm(),
+      &zbuffer_fast_algorithm(), &abuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
   };
   return rows;
 }

@@ -25,18 +25,20 @@ namespace hsr::lanes {
 //     x, y of c: 7.1 v F    w of c: 4.1 v F/o    x, y of d: 7.1 v G    w of d: 4.1 v G/o.
 //
 //   Edges. e_2 = c × d_1, e_1 = d_2 × c, s = d_1 × d_2, e_0 = s - e_1 - e_2: these are the cross products of
-//   Olano and Greer (corner 1 = c + d_1, corner 2 = c + d_2), and s is the sum of the three. A first or
-//   second component of c × d, such as y w' - w y', errs by (7.1 + 4.1 + 7.1 + 4.1) v F G/o from its operands
-//   and by 4 v F G/o from its own three roundings: 26.5 v F G/o. The third errs by (4 · 7.1 + 4) v F G: 32.5
-//   v F G. At an offset of at most o in x and in y this is (26.5 + 26.5 + 32.5) v F G <= 86 v F G. For s, G
-//   stands for F: 86 v G². For e_0 the errors add up, and its two subtractions round by 4 v G²/o + 8 v F G/o
-//   in the first two components, o times that in the third: in all 98 v G² + 196 v F G at an offset. So every
-//   edge function errs by at most
-//     edge_error v G (F + G).
+//   Olano and Greer (corner 1 = c + d_1, corner 2 = c + d_2), and s is the sum of the three. The first or
+//   second component of a cross product of vectors with bounds A and B (F or G_k), such as y w' - w y', errs
+//   by (7.1 + 4.1 + 7.1 + 4.1) v A B/o from its operands and by 4 v A B/o from its own three roundings:
+//   26.5 v A B/o. The third errs by (4 · 7.1 + 4) v A B: 32.5 v A B. At an offset of at most o in x and in y
+//   this makes (26.5 + 26.5 + 32.5) v A B <= 86 v A B. For e_0 the errors of the three add up, and its two
+//   subtractions round by 2 v times the sizes of the three, which at an offset are at most 6 A B each. With
+//     P_2 = F G_1,  P_1 = F G_2,  P_0 = G_1 G_2 + P_1 + P_2
+//   edge k errs by at most
+//     edge_error v P_k.
 //
-//   Determinant. det = c · s. Each of its products errs by (26.5 + 2 · 7.1) v F G²/o in x and y and by
-//   (32.5 + 2 · 4.1) v F G²/o in w; the sum's roundings are within 3 v · 6 F G²/o: 141 v F G²/o in all, so
-//     determinant_error v F G²/o.
+//   Determinant. det = c · s. Each of its products errs by (26.5 + 2 · 7.1) v F G_1 G_2/o in x and y and by
+//   (32.5 + 2 · 4.1) v F G_1 G_2/o in w; the sum's roundings are within 3 v · 6 F G_1 G_2/o. That makes 141,
+//   so
+//     determinant_error v F G_1 G_2/o.
 //   It must be smaller than |det| / least_certainty, or the triangle is not for the filter: its orientation
 //   might be wrong. ρ = that error / |det| is then at most 2^-10.
 //
@@ -48,31 +50,31 @@ namespace hsr::lanes {
 //   0.002 u m of it is for squares of u, and 0.008 u m for the few roundings in double on the way (2^-28 u
 //   m).
 //
-//   Coverage. ε = edge_error v G (F + G) + float_error u m, and each edge is divided by ε with the sign of
-//   det before it is rounded to floats. Then a value >= 1 is certainly inside or on the edge, a value < -1
+//   Coverage. ε_k = edge_error v P_k + float_error u m, and edge k is divided by it with the sign of det
+//   before it is rounded to floats. Then a value >= 1 is certainly inside or on the edge, a value < -1
 //   certainly outside, and anything between is for the exact predicates. As 1/ε <= 1/(float_error u m), no
 //   float overflows, and what underflows (64 · 2^-149) is nothing to the 2 % that edge_error leaves over.
 //
-//   Depth. 1/depth = s · p / det. It errs by 86 v G² / |det| from s, by 1.001 m ρ / |det| from det (1.001
-//   covers 1/(1 - ρ)), and by float_error u m / |det| from floats, m taken of s. So with m of s
-//     ζ = ((float_error u + 1.01 ρ) m + depth_error v G²) / |det|.
+//   Depth. 1/depth = s · p / det. It errs by 86 v G_1 G_2 / |det| from s, by 1.001 m ρ / |det| from det
+//   (1.001 covers 1/(1 - ρ)), and by float_error u m / |det| from floats, m taken of s. So with m of s
+//     ζ = ((float_error u + 1.01 ρ) m + depth_error v G_1 G_2) / |det|.
 //   All of it is multiplied by RasterView::depth_scale, a power of two, so that 1/depth is at most 2 where it
 //   is seen. Of two surfaces the one with the greater 1/depth is certainly nearer if the floats differ by
 //   more than (ζ_1 + ζ_2) comparison_slack: the subtraction, the sum and rounding ζ to float take 4 u of it.
 //   smallest_depth_error keeps ζ above what underflow of floats can lose.
 //
-//   Range. Products of F and G must neither underflow nor overflow: both must lie in [2^-300, 2^300], or the
+//   Range. Products of F and G_k must neither underflow nor overflow: all must lie in [2^-300, 2^300], or the
 //   triangle is not for the filter. Products that underflow nevertheless (differences that cancel) lose
-//   2^-1074, which is nothing to v F G >= 2^-653.
+//   2^-1074, which is nothing to v F G_1 >= 2^-653.
 //
-// F, G, m, ε and ζ are computed in double themselves, with a few relative errors of v: the last digits of the
-// constants are rounded up for that.
+// F, G_k, m, ε and ζ are computed in double themselves, with a few relative errors of v: the last digits of
+// the constants are rounded up for that.
 
 inline constexpr double v = 0x1p-53;
 inline constexpr double u = 0x1p-24;
 inline constexpr int float_roundings = 5;
 inline constexpr double float_error = 5.01;
-inline constexpr double edge_error = 200.0;
+inline constexpr double edge_error = 100.0;
 inline constexpr double depth_error = 90.0;
 inline constexpr double determinant_error = 150.0;
 inline constexpr double least_certainty = 1024.0;

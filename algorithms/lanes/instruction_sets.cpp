@@ -24,12 +24,18 @@ std::string_view name_of(std::int64_t target) {
 }
 
 // Highway's bits of the sets, lowest and so best first.
-std::vector<std::int64_t> available_targets() {
+std::vector<std::int64_t> find_targets() {
   std::vector<std::int64_t> targets;
   for (std::int64_t rest = hwy::SupportedTargets() & HWY_TARGETS; rest != 0; rest &= rest - 1) {
     targets.push_back(rest & -rest);
   }
   if (targets.empty()) targets.push_back(HWY_STATIC_TARGET);
+  return targets;
+}
+
+// Asking the processor takes some 50 µs in a virtual machine, and the answer never changes.
+const std::vector<std::int64_t>& available_targets() {
+  static const std::vector<std::int64_t> targets = find_targets();
   return targets;
 }
 
@@ -42,7 +48,7 @@ std::vector<std::string_view> instruction_sets() {
 }
 
 std::size_t dispatch_index(std::string_view name) {
-  const std::vector<std::int64_t> targets = available_targets();
+  const std::vector<std::int64_t>& targets = available_targets();
   std::int64_t chosen = targets.front();
   for (const std::int64_t target : targets) {
     if (name_of(target) == name) chosen = target;

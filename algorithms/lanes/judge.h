@@ -17,6 +17,9 @@ class Judge {
  public:
   explicit Judge(const View& view);
 
+  /// Whether the triangle covers no pixel at all: it has no area, or the eye is in its plane.
+  bool covers_nothing(std::uint32_t id) { return !triangle(id); }
+
   /// Whether the triangle covers the centre of a pixel of the picture.
   bool covers(std::uint32_t id, int i, int j);
 

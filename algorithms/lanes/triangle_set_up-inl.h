@@ -111,13 +111,15 @@ HWY_INLINE SetUpLanes<D> set_up_triangles(D d, const RasterView& view, const Cor
   const Triple<V> d_1 = difference(to_1);
   const Triple<V> d_2 = difference(to_2);
 
+  const auto bound_of_difference = [&](const V(&to)[3]) HWY_ATTR {
+    const V size[3] = {hn::Abs(to[0]), hn::Abs(to[1]), hn::Abs(to[2])};
+    return row_times_difference(d, view.magnitude, size);
+  };
   const V size_of_c[3] = {hn::Abs(p[0][0]), hn::Abs(p[0][1]), hn::Abs(p[0][2])};
-  const V size_of_d[3] = {hn::Max(hn::Abs(to_1[0]), hn::Abs(to_2[0])),
-                          hn::Max(hn::Abs(to_1[1]), hn::Abs(to_2[1])),
-                          hn::Max(hn::Abs(to_1[2]), hn::Abs(to_2[2]))};
   const V f = row_times_point(d, view.magnitude, size_of_c);
-  const V g = row_times_difference(d, view.magnitude, size_of_d);
-  const V g_squared = hn::Mul(g, g);
+  const V g_1 = bound_of_difference(to_1);
+  const V g_2 = bound_of_difference(to_2);
+  const V g_1_g_2 = hn::Mul(g_1, g_2);
 
   const Triple<V> sum = cross(d_1, d_2);
   const Triple<V> edge_1 = cross(d_2, c);
@@ -125,29 +127,32 @@ HWY_INLINE SetUpLanes<D> set_up_triangles(D d, const RasterView& view, const Cor
   const Triple<V> edge_0 = (sum - edge_1) - edge_2;
   const V det = hn::MulAdd(c.x, sum.x, hn::MulAdd(c.y, sum.y, hn::Mul(c.w, sum.w)));
   const V det_size = hn::Abs(det);
-  const V det_error = hn::Mul(hn::Set(d, determinant_error * v / view.reach), hn::Mul(f, g_squared));
+  const V det_error = hn::Mul(hn::Set(d, determinant_error * v / view.reach), hn::Mul(f, g_1_g_2));
 
   SetUpLanes<D> result;
   const V least = hn::Set(d, least_magnitude);
   const V greatest = hn::Set(d, greatest_magnitude);
-  result.certain = hn::And(hn::And(hn::Ge(hn::Min(f, g), least), hn::Le(hn::Max(f, g), greatest)),
-                           hn::Ge(det_size, hn::Mul(hn::Set(d, least_certainty), det_error)));
+  result.certain = hn::And(
+      hn::And(hn::Ge(hn::Min(f, hn::Min(g_1, g_2)), least), hn::Le(hn::Max(f, hn::Max(g_1, g_2)), greatest)),
+      hn::Ge(det_size, hn::Mul(hn::Set(d, least_certainty), det_error)));
 
-  const V edge_double_error = hn::Mul(hn::Set(d, edge_error * v), hn::Mul(g, hn::Add(f, g)));
   const V float_share = hn::Set(d, float_error * u);
-  const auto filtered = [&](const Triple<V>& edge) HWY_ATTR {
-    const V epsilon = hn::MulAdd(float_share, greatest_value(edge, offsets), edge_double_error);
+  const auto filtered = [&](const Triple<V>& edge, V size) HWY_ATTR {
+    const V epsilon =
+        hn::MulAdd(float_share, greatest_value(edge, offsets), hn::Mul(hn::Set(d, edge_error * v), size));
     return scaled(edge, hn::CopySign(hn::Div(hn::Set(d, 1.0), epsilon), det));
   };
-  result.edge[0] = filtered(edge_0);
-  result.edge[1] = filtered(edge_1);
-  result.edge[2] = filtered(edge_2);
+  const V size_1 = hn::Mul(f, g_2);
+  const V size_2 = hn::Mul(f, g_1);
+  result.edge[0] = filtered(edge_0, hn::Add(g_1_g_2, hn::Add(size_1, size_2)));
+  result.edge[1] = filtered(edge_1, size_1);
+  result.edge[2] = filtered(edge_2, size_2);
 
   const V scale = hn::Div(hn::Set(d, view.depth_scale), det);
   result.inverse_depth = scaled(sum, scale);
   const V relative = hn::MulAdd(hn::Set(d, 1.01), hn::Div(det_error, det_size), float_share);
   const V zeta =
-      hn::MulAdd(relative, greatest_value(sum, offsets), hn::Mul(hn::Set(d, depth_error * v), g_squared));
+      hn::MulAdd(relative, greatest_value(sum, offsets), hn::Mul(hn::Set(d, depth_error * v), g_1_g_2));
   result.depth_error = hn::MulAdd(zeta, hn::Abs(scale), hn::Set(d, smallest_depth_error));
   return result;
 }

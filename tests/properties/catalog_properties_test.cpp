@@ -63,11 +63,12 @@ void check_defaults(const hsr::View& view) {
     CHECK_MESSAGE(text.empty(), text);
     for (std::size_t pixel = 0; pixel < frame.pixel_count(); ++pixel) {
       if (nearest.id[pixel] == hsr::background_id) continue;
-      // Half a unit in the last place of a float is 2^-24 of it at most.
+      // Half a unit in the last place of a float is 2^-24 of it at most. Fast versions may err by more.
       const double relative = std::abs(double{frame.depth[pixel]} / nearest.depth[pixel] - 1.0);
-      if (relative > 0x1.001p-24) {
+      const double allowed = algorithm->variant_of.empty() ? 0x1.001p-24 : 0x1p-19;
+      if (relative > allowed) {
         CAPTURE(pixel);
-        REQUIRE(relative <= 0x1.001p-24);
+        REQUIRE(relative <= allowed);
       }
     }
   }

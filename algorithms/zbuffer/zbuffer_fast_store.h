@@ -1,0 +1,18 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <string_view>
+#include <vector>
+
+#include "frame/frame.h"
+#include "lanes/raster_view.h"
+#include "zbuffer/zbuffer_fast_tile.h"
+
+namespace hsr {
+
+/// Writes the pixels of a tile that lie in `box` to the frame: ids, eye depths, and colours out of the table
+/// `colors` by id unless the frame has none. (left, top) is the tile's upper left pixel.
+void store_tile(std::string_view instruction_set, const lanes::RasterView& raster, int left, int top,
+                const PixelBox& box, TilePixels& pixels, const std::vector<glm::vec4>& colors, Frame& frame);
+
+}  // namespace hsr
