@@ -1,5 +1,7 @@
 #include "lanes/bin_triangles.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +22,8 @@ struct BinCounts {
   std::uint64_t between_centres = 0;
 };
 
+constexpr std::size_t prefetch_distance = 24;  // triangles
+
 // Puts some consecutive triangles into tiles.
 class Binner {
  public:
@@ -36,17 +40,32 @@ class Binner {
         // Centres lie at half a pixel. The sums of centres_from and floor() round by o 2^-24 each.
         centres_from_(-0.5F - 4.0F * screen_vertex_error(raster)),
         centres_to_(-0.5F + 4.0F * screen_vertex_error(raster)),
-        near_(static_cast<float>(raster.near_depth) * depth_rounded_down),
-        far_(static_cast<float>(raster.far_depth) * depth_rounded_up),
-        surely_seen_from_(static_cast<float>(raster.near_depth) * depth_rounded_up),
-        surely_seen_to_(static_cast<float>(raster.far_depth) * depth_rounded_down),
+        // Twice, so that they can be compared with depths that are rounded once.
+        near_(static_cast<float>(raster.near_depth) * depth_rounded_down * depth_rounded_down),
+        far_(static_cast<float>(raster.far_depth) * depth_rounded_up * depth_rounded_up),
+        surely_seen_from_(static_cast<float>(raster.near_depth) * depth_rounded_up * depth_rounded_up),
+        surely_seen_to_(static_cast<float>(raster.far_depth) * depth_rounded_down * depth_rounded_down),
         scale_(static_cast<float>(raster.depth_scale)) {
     const Band all = {0, view.height, 0, view.width - 1};
-    window_ = all.within(options.window.value_or(PixelBox{0, view.width - 1, 0, view.height - 1}));
+    if (options.window) {
+      const PixelBox window = all.within(*options.window);
+      const auto end = [](int last, int size) { return std::min(last | (tile_size - 1), size - 1); };
+      tiles_ = {window.first_i / tile_size * tile_size, end(window.last_i, view.width),
+                window.first_j / tile_size * tile_size, end(window.last_j, view.height)};
+    } else {
+      tiles_ = all.within({0, view.width - 1, 0, view.height - 1});
+    }
   }
 
   BinCounts bin(std::size_t first, std::size_t last) {
-    for (std::size_t id = first; id < last; ++id) bin_triangle(static_cast<std::uint32_t>(id));
+    const std::vector<Triangle>& triangles = view_.scene->triangles;
+    for (std::size_t id = first; id < last; ++id) {
+      // Vertices are anywhere in memory: they are called for before they are needed.
+      for (const std::uint32_t corner : triangles[std::min(id + prefetch_distance, last - 1)].corners) {
+        hwy::Prefetch(&vertices_[corner]);
+      }
+      bin_triangle(static_cast<std::uint32_t>(id));
+    }
     return counts_;
   }
 
@@ -56,21 +75,30 @@ class Binner {
     const ScreenVertex& p = vertices_[corners[0]];
     const ScreenVertex& q = vertices_[corners[1]];
     const ScreenVertex& r = vertices_[corners[2]];
-    const float greatest_depth = std::max({p.depth, q.depth, r.depth}) * depth_rounded_up;
+    const float greatest_depth = greatest(p.depth, q.depth, r.depth);
     if (p.wild + q.wild + r.wild > 0.0F) {
-      if (std::max({p.depth, q.depth, r.depth}) < near_) return add({id}, {BoxKind::off_screen, {}});
+      if (greatest_depth * depth_rounded_up < near_)
+        return add_if_not_skipped({id, greatest_inverse_depth(near_)}, true);
       return bin_wild(id, corners);
     }
-    const float least_depth = std::min({p.depth, q.depth, r.depth}) * depth_rounded_down;
-    PixelBoxAnswer answer;
-    if (greatest_depth >= near_ && least_depth <= far_) {
-      answer = box_of(std::min({p.x, q.x, r.x}), std::max({p.x, q.x, r.x}), std::min({p.y, q.y, r.y}),
-                      std::max({p.y, q.y, r.y}));
+    const float least_depth = least(p.depth, q.depth, r.depth);
+    const bool seen = greatest_depth >= near_ && least_depth <= far_;
+    const PixelBox box = {
+        ceiling(least(p.x, q.x, r.x) + centres_from_), floor(greatest(p.x, q.x, r.x) + centres_to_),
+        ceiling(least(p.y, q.y, r.y) + centres_from_), floor(greatest(p.y, q.y, r.y) + centres_to_)};
+    const PixelBox held = {std::max(box.first_i, tiles_.first_i), std::min(box.last_i, tiles_.last_i),
+                           std::max(box.first_j, tiles_.first_j), std::min(box.last_j, tiles_.last_j)};
+    TileEntry entry = {id};
+    if (seen && !held.empty()) {
+      entry.nearest = greatest_inverse_depth(least_depth);
+      const bool seen_whole = least_depth >= surely_seen_from_ && greatest_depth <= surely_seen_to_;
+      if (seen_whole) entry.farthest = scale_ / greatest_depth * (depth_rounded_down * depth_rounded_down);
+      return bins_.add_box(grid_, entry, held);
     }
-    TileEntry entry = {id, scale_ / std::max(least_depth, near_) * depth_rounded_up};
-    const bool within_range = least_depth >= surely_seen_from_ && greatest_depth <= surely_seen_to_;
-    if (within_range) entry.farthest = scale_ / greatest_depth * depth_rounded_down * depth_rounded_down;
-    add(entry, answer);
+    const bool off_screen = !seen || box.last_i < 0 || box.first_i >= view_.width || box.last_j < 0 ||
+                            box.first_j >= view_.height;
+    entry.nearest = greatest_inverse_depth(near_);
+    if (off_screen || box.empty()) add_if_not_skipped(entry, off_screen && !box.empty());
   }
 
   // The box in exact bounds, for triangles that come close to the eye's plane.
@@ -79,44 +107,36 @@ class Binner {
     for (std::size_t k = 0; k < 3; ++k) {
       corner[k] = clip_from_world<Bounded>(projection_, view_.scene->positions[corners[k]]);
     }
-    add({id, scale_ / near_ * depth_rounded_up}, pixel_box(projection_, corner));
+    const PixelBoxAnswer answer = pixel_box(projection_, corner);
+    const TileEntry entry = {id, greatest_inverse_depth(near_)};
+    if (answer.kind != BoxKind::on_screen) {
+      return add_if_not_skipped(entry, answer.kind == BoxKind::off_screen);
+    }
+    const PixelBox box = {
+        std::max(answer.box.first_i, tiles_.first_i), std::min(answer.box.last_i, tiles_.last_i),
+        std::max(answer.box.first_j, tiles_.first_j), std::min(answer.box.last_j, tiles_.last_j)};
+    if (!box.empty()) bins_.add_box(grid_, entry, box);
   }
 
-  PixelBoxAnswer box_of(float left, float right, float top, float bottom) const {
-    PixelBoxAnswer answer;
-    const auto width = static_cast<float>(view_.width);
-    const auto height = static_cast<float>(view_.height);
-    if (right + 1.0F < 0.0F || bottom + 1.0F < 0.0F || left - 1.0F > width || top - 1.0F > height)
-      return answer;
-    answer.box = {
-        std::max(ceiling(left + centres_from_), 0), std::min(floor(right + centres_to_), view_.width - 1),
-        std::max(ceiling(top + centres_from_), 0), std::min(floor(bottom + centres_to_), view_.height - 1)};
-    answer.kind = answer.box.empty() ? BoxKind::between_centres : BoxKind::on_screen;
-    return answer;
+  // A triangle that covers no pixel is left out, or, without the skip, tried at a pixel that it does not
+  // cover.
+  void add_if_not_skipped(const TileEntry& entry, bool off_screen) {
+    if (off_screen ? skip_off_screen_ : skip_between_centres_) {
+      ++(off_screen ? counts_.off_screen : counts_.between_centres);
+    } else if (tiles_.first_i == 0 && tiles_.first_j == 0 && !tiles_.empty()) {
+      bins_.add_box(grid_, entry, {0, 0, 0, 0});
+    }
   }
 
+  float greatest_inverse_depth(float least_depth) const {
+    return scale_ / std::max(least_depth * depth_rounded_down, near_) * depth_rounded_up;
+  }
+
+  static float least(float p, float q, float r) { return std::min(std::min(p, q), r); }
+  static float greatest(float p, float q, float r) { return std::max(std::max(p, q), r); }
   // Of numbers within a picture or little beyond.
   static int floor(float value) { return static_cast<int>(value + 8.0F) - 8; }
   static int ceiling(float value) { return -floor(-value); }
-
-  void add(const TileEntry& entry, PixelBoxAnswer answer) {
-    if (answer.kind != BoxKind::on_screen) {
-      const bool off_screen = answer.kind == BoxKind::off_screen;
-      if (off_screen ? skip_off_screen_ : skip_between_centres_) {
-        ++(off_screen ? counts_.off_screen : counts_.between_centres);
-        return;
-      }
-      // Without the skip, it is tried at a pixel that it does not cover.
-      answer.box = {};
-      answer.box.last_i = answer.box.last_j = 0;
-    }
-    const PixelBox box = {
-        std::max(answer.box.first_i, window_.first_i / tile_size * tile_size),
-        std::min(answer.box.last_i, window_.last_i / tile_size * tile_size + tile_size - 1),
-        std::max(answer.box.first_j, window_.first_j / tile_size * tile_size),
-        std::min(answer.box.last_j, window_.last_j / tile_size * tile_size + tile_size - 1)};
-    if (!box.empty()) bins_.add_box(grid_, entry, box);
-  }
 
   const View& view_;
   const RasterView& raster_;
@@ -133,7 +153,7 @@ class Binner {
   float surely_seen_from_;
   float surely_seen_to_;
   float scale_;
-  PixelBox window_;
+  PixelBox tiles_;  // the pixels of all tiles that are wanted
   BinCounts counts_;
 };
 

@@ -20,7 +20,7 @@ void TileBins::append_link(Chain& chain) {
   ++links_used_;
 }
 
-void TileBins::add_box(const TileGrid& grid, TileEntry entry, const PixelBox& box) {
+void TileBins::add_to_tiles(const TileGrid& grid, TileEntry entry, const PixelBox& box) {
   for (int row = box.first_j / tile_size; row <= box.last_j / tile_size; ++row) {
     for (int column = box.first_i / tile_size; column <= box.last_i / tile_size; ++column) {
       const auto within = [](int pixel, int tile) {

@@ -56,7 +56,19 @@ class TileBins {
   }
   /// Adds a triangle to every tile that its box touches. The box lies within the picture and is not empty.
   /// The entry's own box is not looked at.
-  void add_box(const TileGrid& grid, TileEntry entry, const PixelBox& box);
+  void add_box(const TileGrid& grid, TileEntry entry, const PixelBox& box) {
+    constexpr int in_tile = tile_size - 1;
+    const int first_column = box.first_i / tile_size;
+    const int first_row = box.first_j / tile_size;
+    if (first_column != box.last_i / tile_size || first_row != box.last_j / tile_size) {
+      return add_to_tiles(grid, entry, box);
+    }
+    entry.first_x = static_cast<std::uint8_t>(box.first_i & in_tile);
+    entry.last_x = static_cast<std::uint8_t>(box.last_i & in_tile);
+    entry.first_y = static_cast<std::uint8_t>(box.first_j & in_tile);
+    entry.last_y = static_cast<std::uint8_t>(box.last_j & in_tile);
+    add(first_row * grid.columns + first_column, entry);
+  }
 
   std::size_t count(int tile) const { return chains_[static_cast<std::size_t>(tile)].count; }
   /// Calls visit(entry) for every entry of a tile, in the order in which they came.
@@ -82,6 +94,7 @@ class TileBins {
     std::uint32_t last = 0;
     std::uint32_t count = 0;
   };
+  void add_to_tiles(const TileGrid& grid, TileEntry entry, const PixelBox& box);
   void append_link(Chain& chain);
 
   std::vector<Chain> chains_;
