@@ -98,7 +98,7 @@ class Binner {
     const bool off_screen = !seen || box.last_i < 0 || box.first_i >= view_.width || box.last_j < 0 ||
                             box.first_j >= view_.height;
     entry.nearest = greatest_inverse_depth(near_);
-    if (off_screen || box.empty()) add_if_not_skipped(entry, off_screen && !box.empty());
+    if (off_screen || box.empty()) add_if_not_skipped(entry, off_screen);
   }
 
   // The box in exact bounds, for triangles that come close to the eye's plane.
