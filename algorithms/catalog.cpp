@@ -10,6 +10,7 @@
 #include "none/none.h"
 #include "painter/painter.h"
 #include "raycast/raycast.h"
+#include "raycast/raycast_fast.h"
 #include "zbuffer/zbuffer.h"
 #include "zbuffer/zbuffer_fast.h"
 
@@ -17,8 +18,9 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),         &painter_algorithm(), &newell_algorithm(),    &zbuffer_algorithm(),
-      &zbuffer_fast_algorithm(), &abuffer_algorithm(), &depthlist_algorithm(), &raycast_algorithm(),
+      &none_algorithm(),      &painter_algorithm(),      &newell_algorithm(),
+      &zbuffer_algorithm(),   &zbuffer_fast_algorithm(), &abuffer_algorithm(),
+      &depthlist_algorithm(), &raycast_algorithm(),      &raycast_fast_algorithm(),
   };
   return rows;
 }
