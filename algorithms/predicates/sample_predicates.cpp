@@ -8,6 +8,11 @@ namespace hsr {
 
 namespace {
 
+// A power of two: the triangles that were asked about last.
+constexpr std::size_t fixed_entries = 64;
+
+bool whole(double number) { return number == std::floor(number); }
+
 int sign_at(const Homogeneous<Dyadic>& plane, double a, double b) { return at_sample(plane, a, b).sign(); }
 
 }  // namespace
@@ -16,7 +21,10 @@ SamplePredicates::SamplePredicates(const Projection& projection, const Scene& sc
     : projection_(projection),
       sure_inverse_near_((Bounded(1.0) / Bounded(projection.near_depth)).lower()),
       sure_inverse_far_((Bounded(1.0) / Bounded(projection.far_depth)).upper()),
-      triangles_(projection, scene) {}
+      triangles_(projection, scene),
+      scene_(scene),
+      fixed_projection_(fixed_projection(projection)),
+      fixed_triangles_(fixed_projection_ ? fixed_entries : 0) {}
 
 std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
                                                        const std::array<Homogeneous<Bounded>, 3>& corner) {
@@ -52,9 +60,24 @@ std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
   return result;
 }
 
-bool SamplePredicates::exactly_covers(std::uint32_t id, double a, double b) {
+const std::optional<FixedTriangle>& SamplePredicates::fixed_triangle(std::uint32_t id) {
+  FixedEntry& entry = fixed_triangles_[id % fixed_entries];
+  if (entry.id != id) entry = {id, FixedTriangle::make(*fixed_projection_, scene_, id)};
+  return entry.triangle;
+}
+
+bool SamplePredicates::exactly_covers(const SampleTriangle& filtered, double a, double b) {
   ++exact_evaluations_;
-  const ExactTriangle& triangle = triangles_.one(id);
+  if (fixed_projection_ && filtered.within_depth_range && whole(a) && whole(b)) {
+    if (const std::optional<FixedTriangle>& fixed = fixed_triangle(filtered.id)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (filtered.edge[k].at(a, b) > filtered.edge[k].bound) continue;
+        if (fixed->edge_sign(k, a, b) * (filtered.front ? 1 : -1) < 0) return false;
+      }
+      return true;
+    }
+  }
+  const ExactTriangle& triangle = triangles_.one(filtered.id);
   if (triangle.orientation == 0) return false;
   for (const Homogeneous<Dyadic>& edge : triangle.oriented.edge) {
     if (sign_at(edge, a, b) < 0) return false;

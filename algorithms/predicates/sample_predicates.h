@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "predicates/exact_triangle.h"
+#include "predicates/fixed_triangle.h"
 #include "predicates/homogeneous.h"
 #include "predicates/sample_triangle.h"
 #include "scene/scene.h"
@@ -46,7 +48,12 @@ class SamplePredicates {
   std::uint64_t exact_evaluations() const { return exact_evaluations_; }
 
  private:
-  bool exactly_covers(std::uint32_t id, double a, double b);
+  struct FixedEntry {
+    std::uint32_t id = background_id;
+    std::optional<FixedTriangle> triangle;
+  };
+  bool exactly_covers(const SampleTriangle& triangle, double a, double b);
+  const std::optional<FixedTriangle>& fixed_triangle(std::uint32_t id);
   int exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b);
 
   Projection projection_;
@@ -54,6 +61,9 @@ class SamplePredicates {
   double sure_inverse_far_;   // a 1/depth above it is surely before far
   std::uint64_t exact_evaluations_ = 0;
   ExactTriangleCache triangles_;
+  const Scene& scene_;
+  std::optional<FixedProjection> fixed_projection_;
+  std::vector<FixedEntry> fixed_triangles_;  // by id modulo their number
 };
 
 // The filters are here so that they are inlined; what they cannot settle is decided elsewhere.
@@ -70,7 +80,7 @@ inline bool SamplePredicates::covers(const SampleTriangle& triangle, double a, d
     certain = certain && inverse_depth + triangle.inverse_depth.bound < sure_inverse_near_ &&
               inverse_depth - triangle.inverse_depth.bound > sure_inverse_far_;
   }
-  return certain || exactly_covers(triangle.id, a, b);
+  return certain || exactly_covers(triangle, a, b);
 }
 
 inline int SamplePredicates::compare_depth(const SampleTriangle& p, const SampleTriangle& q, double a,

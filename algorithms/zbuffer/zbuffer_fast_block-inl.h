@@ -376,8 +376,9 @@ class Blocks {
       const std::size_t pixel = block_at(column, row) * block_pixels + part + lane;
       const bool surely_covered = edges[lane] >= 1.0F && brush.within_range;
       const std::uint32_t stored = pixels_.id[pixel];
-      if (surely_covered) {
-        // Coincident faces: as near wherever both cover, so the lower id shows.
+      // Coincident faces: as near wherever both cover, so the lower id shows, and if that is there already it
+      // does not matter whether this one covers.
+      if (stored != background_id && (surely_covered || stored < brush.id)) {
         if (stored != plane_of) {
           plane_of = stored;
           same_plane = judge.same_plane(brush.id, stored);
