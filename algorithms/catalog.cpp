@@ -7,6 +7,7 @@
 #include "algorithm.h"
 #include "depthlist/depthlist.h"
 #include "newell/newell.h"
+#include "newell/newell_fast.h"
 #include "none/none.h"
 #include "painter/painter.h"
 #include "raycast/raycast.h"
@@ -18,9 +19,9 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),      &painter_algorithm(),      &newell_algorithm(),
-      &zbuffer_algorithm(),   &zbuffer_fast_algorithm(), &abuffer_algorithm(),
-      &depthlist_algorithm(), &raycast_algorithm(),      &raycast_fast_algorithm(),
+      &none_algorithm(),    &painter_algorithm(),      &newell_algorithm(),  &newell_fast_algorithm(),
+      &zbuffer_algorithm(), &zbuffer_fast_algorithm(), &abuffer_algorithm(), &depthlist_algorithm(),
+      &raycast_algorithm(), &raycast_fast_algorithm(),
   };
   return rows;
 }

@@ -37,15 +37,19 @@ struct RegionLine {
   Homogeneous<Bounded> f{};
 };
 
-/// A corner of a region: a corner of a triangle, or the point where two lines meet.
-struct RegionVertex {
+/// Which corner of a region: a corner of a triangle, or the point where two lines meet.
+struct VertexName {
   static constexpr std::uint32_t no_position = 4294967295U;
   std::uint32_t position = no_position;  ///< index into Scene::positions of a corner, or none
-  LineName first;                        ///< otherwise the lines that meet
-  LineName second;
-  Homogeneous<Bounded> point{};  ///< the sample (a, b) = (point[0], point[1]) / point[2]; point[2] > 0
+  LineName first;                        ///< otherwise the lines that meet, so that their cross product
+  LineName second;                       ///< points towards what is seen (its third coordinate is > 0)
 
   bool is_corner() const { return position != no_position; }
+};
+
+/// A corner of a region in doubles with bounds.
+struct RegionVertex : VertexName {
+  Homogeneous<Bounded> point{};  ///< the sample (a, b) = (point[0], point[1]) / point[2]; point[2] > 0
 };
 
 /// A convex, closed part of the picture, the projection of a flat polygon or of a piece of one. It may

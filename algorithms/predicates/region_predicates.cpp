@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "predicates/filtered_vector.h"
+
 namespace hsr {
 
 namespace {
@@ -19,11 +21,6 @@ constexpr double customary_epsilon = 1e-9;
 template <class Number>
 Homogeneous<Number> negated(const Homogeneous<Number>& f) {
   return {-f[0], -f[1], -f[2]};
-}
-
-int certain_sign(const Bounded& value) {
-  if (value.surely_positive()) return 1;
-  return value.surely_negative() ? -1 : 0;
 }
 
 }  // namespace
@@ -44,10 +41,7 @@ RegionPredicates::BoundedTriangle RegionPredicates::set_up(std::uint32_t id) {
       homogeneous_triangle<Bounded>(projection_, {clip_[corners[0]], clip_[corners[1]], clip_[corners[2]]});
   BoundedTriangle result;
   result.orientation = certain_sign(triangle.det);
-  if (result.orientation == 0) {
-    ++exact_evaluations_;
-    result.orientation = exact_.one(id).orientation;
-  }
+  if (result.orientation == 0) result.orientation = exact_.orientation(id);
   if (result.orientation == 0) return result;
   for (std::size_t k = 0; k < 3; ++k) {
     result.edge[k] = result.orientation > 0 ? triangle.edge[k] : negated(triangle.edge[k]);
@@ -76,11 +70,8 @@ RegionLine RegionPredicates::depth_limit_line(std::uint32_t id, Kind kind) const
 }
 
 RegionLine RegionPredicates::border_line(std::uint8_t side) const {
-  const Bounded w(static_cast<double>(projection_.width));
-  const Bounded h(static_cast<double>(projection_.height));
-  const std::array<Homogeneous<Bounded>, 4> inside = {
-      {{1.0, 0.0, w}, {-1.0, 0.0, w}, {0.0, 1.0, h}, {0.0, -1.0, h}}};
-  return {{.kind = Kind::border, .side = side}, inside[side]};
+  const Homogeneous<double> f = picture_border(projection_, side);
+  return {{.kind = Kind::border, .side = side}, {f[0], f[1], f[2]}};
 }
 
 RegionLine turned(const RegionLine& line) {
@@ -110,9 +101,7 @@ bool RegionPredicates::in_plane(std::uint32_t id, const RegionVertex& corner) {
   for (const std::uint32_t own : scene_.triangles[id].corners) {
     if (scene_.positions[own] == position) return true;
   }
-  ++exact_evaluations_;
-  const HomogeneousTriangle<Dyadic>& triangle = exact_.one(id).oriented;
-  return (dot(triangle.sum, exact_vertex(corner)) - triangle.det).sign() == 0;
+  return exact_.in_plane(id, corner.position);
 }
 
 RegionVertex RegionPredicates::meeting(const RegionLine& first, const RegionLine& second) {
@@ -124,8 +113,7 @@ RegionVertex RegionPredicates::meeting(const RegionLine& first, const RegionLine
   if (method_ == SignMethod::epsilon) {
     orientation = vertex.point[2].value < 0.0 ? -1 : 1;
   } else if (orientation == 0) {
-    ++exact_evaluations_;
-    orientation = cross(exact_line(first.name), exact_line(second.name))[2].sign();
+    orientation = exact_.turn(first.name, second.name);
     assert(orientation != 0 && "lines that meet at a vertex are not parallel");
   }
   if (orientation < 0) {
@@ -195,33 +183,11 @@ Region RegionPredicates::region(std::span<const OuterEdge> loop) {
   return region;
 }
 
-// Whether a vertex lies on a line because of what they are, so that nothing need be computed.
-bool RegionPredicates::passes_through(const LineName& line, const RegionVertex& vertex) const {
-  if (!vertex.is_corner()) return vertex.first.same_line(line) || vertex.second.same_line(line);
-  const glm::vec3& position = scene_.positions[vertex.position];
-  const auto is_corner_of = [&](std::uint32_t id, std::size_t k) {
-    return scene_.positions[scene_.triangles[id].corners[k]] == position;
-  };
-  if (line.kind == Kind::edge) {
-    return is_corner_of(line.p, (line.side + 1U) % 3U) || is_corner_of(line.p, (line.side + 2U) % 3U);
-  }
-  if (line.kind != Kind::crossing) return false;
-  const auto is_any_corner_of = [&](std::uint32_t id) {
-    return is_corner_of(id, 0) || is_corner_of(id, 1) || is_corner_of(id, 2);
-  };
-  return is_any_corner_of(line.p) && is_any_corner_of(line.q);
-}
-
 int RegionPredicates::sign(const RegionLine& line, const RegionVertex& vertex) {
   const Bounded value = dot(line.f, vertex.point);
   if (method_ == SignMethod::epsilon) return customary_sign(line, vertex, value.value);
   const int certain = certain_sign(value);
-  if (certain != 0) return certain;
-  if (passes_through(line.name, vertex)) return 0;
-  ++exact_evaluations_;
-  if (line.name.kind == Kind::crossing && exact_.same_plane(line.name.p, line.name.q)) return 0;
-  const Homogeneous<Dyadic> exact = exact_line(line.name);
-  return dot(exact, exact_vertex(vertex)).sign();
+  return certain != 0 ? certain : exact_.sign(line.name, vertex);
 }
 
 int RegionPredicates::customary_sign(const RegionLine& line, const RegionVertex& vertex, double value) const {
@@ -236,39 +202,6 @@ int RegionPredicates::customary_sign(const RegionLine& line, const RegionVertex&
   }
   if (!(std::abs(value) > customary_epsilon * size)) return 0;
   return value > 0.0 ? 1 : -1;
-}
-
-Homogeneous<Dyadic> RegionPredicates::exact_line(const LineName& line) {
-  Homogeneous<Dyadic> f;
-  if (line.kind == Kind::edge) {
-    f = exact_.one(line.p).oriented.edge[line.side];
-  } else if (line.kind == Kind::border) {
-    const Homogeneous<Bounded> border = border_line(line.side).f;
-    f = {Dyadic(border[0].value), Dyadic(border[1].value), Dyadic(border[2].value)};
-  } else if (line.kind == Kind::crossing) {
-    // z_q - z_p with z = sum / det, multiplied by both det > 0.
-    const auto [p, q] = exact_.pair(line.p, line.q);
-    for (std::size_t k = 0; k < 3; ++k) {
-      f[k] = q.oriented.sum[k] * p.oriented.det - p.oriented.sum[k] * q.oriented.det;
-    }
-  } else {
-    // sum / det <= 1 / near, or >= 1 / far, multiplied by det and near or far, all > 0.
-    const HomogeneousTriangle<Dyadic>& triangle = exact_.one(line.p).oriented;
-    const bool near = line.kind == Kind::near;
-    const Dyadic limit(near ? projection_.near_depth : projection_.far_depth);
-    f = {triangle.sum[0] * limit, triangle.sum[1] * limit, triangle.sum[2] * limit - triangle.det};
-    if (near) f = negated(f);
-  }
-  return line.turned ? negated(f) : f;
-}
-
-Homogeneous<Dyadic> RegionPredicates::exact_vertex(const RegionVertex& vertex) {
-  if (vertex.is_corner()) {
-    const auto clip = hsr::clip_from_world<Dyadic>(projection_, scene_.positions[vertex.position]);
-    return {clip[0] * Dyadic(static_cast<double>(projection_.width)),
-            clip[1] * Dyadic(static_cast<double>(projection_.height)), clip[2]};
-  }
-  return cross(exact_line(vertex.first), exact_line(vertex.second));
 }
 
 Sides RegionPredicates::sides(const RegionLine& line, const Region& region) {

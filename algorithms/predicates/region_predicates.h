@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "predicates/exact_triangle.h"
+#include "predicates/exact_region.h"
 #include "predicates/region.h"
 #include "scene/scene.h"
 
@@ -81,7 +81,7 @@ class RegionPredicates {
 
   /// Whether triangle `id` covers nothing, as it has no area or the eye lies in its plane.
   bool covers_nothing(std::uint32_t id) const { return triangles_[id].orientation == 0; }
-  std::uint64_t exact_evaluations() const { return exact_evaluations_; }
+  std::uint64_t exact_evaluations() const { return exact_.evaluations(); }
   /// Memory held.
   std::uint64_t bytes() const {
     return clip_.capacity() * sizeof(Homogeneous<Bounded>) + triangles_.capacity() * sizeof(BoundedTriangle);
@@ -103,17 +103,13 @@ class RegionPredicates {
   bool surely_inside(const RegionVertex& vertex) const;
   bool surely_within_depths(std::uint32_t position) const;
   int customary_sign(const RegionLine& line, const RegionVertex& vertex, double value) const;
-  bool passes_through(const LineName& line, const RegionVertex& vertex) const;
-  Homogeneous<Dyadic> exact_line(const LineName& line);
-  Homogeneous<Dyadic> exact_vertex(const RegionVertex& vertex);
 
   Projection projection_;
   const Scene& scene_;
   SignMethod method_;
   std::vector<Homogeneous<Bounded>> clip_;  // by position
   std::vector<BoundedTriangle> triangles_;  // by id
-  ExactTriangleCache exact_;
-  std::uint64_t exact_evaluations_ = 0;
+  ExactRegion exact_;
 };
 
 }  // namespace hsr
