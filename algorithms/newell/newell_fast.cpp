@@ -47,6 +47,7 @@ class NewellFast : public Renderer {
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    if (frame.color.empty()) return render_without_colors(view, options, frame);
     RenderReport report;
     const newell_fast::OrderSkips left_out = {
         .off_screen = options.uses(off_screen_skip.name),
@@ -69,6 +70,16 @@ class NewellFast : public Renderer {
   }
 
  private:
+  RenderReport render_without_colors(const View& view, const RenderOptions& options, Frame& frame) {
+    Frame colored(view.width, view.height);
+    if (frame.faces) colored.faces.emplace();
+    RenderReport report = render(view, options, colored);
+    frame.depth = std::move(colored.depth);
+    frame.id = std::move(colored.id);
+    frame.faces = std::move(colored.faces);
+    return report;
+  }
+
   void paint(const View& view, const PaintSequence& sequence, const RenderOptions& options,
              RenderReport& report, Frame& frame) const {
     RenderOptions all = options;
