@@ -21,6 +21,7 @@ ComponentSearch::ComponentSearch(std::span<const Extent> extents, const Cells& c
 SearchCounts ComponentSearch::counts() const {
   SearchCounts counts = counts_;
   counts.bytes = cells_.bytes() + nodes_.capacity() * sizeof(Node) + path_.capacity() * sizeof(Visiting) +
+                 edges_.capacity() * sizeof(Edge) +
                  (low_.capacity() + head_.capacity() + waiting_.capacity()) * sizeof(std::uint32_t);
   return counts;
 }

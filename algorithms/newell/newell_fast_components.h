@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "newell/newell_fast_cells.h"
+#include "newell/newell_fast_graph.h"
 #include "newell/newell_fast_vertices.h"
 
 namespace hsr::newell_fast {
@@ -42,6 +43,8 @@ class ComponentSearch {
   template <class Hides, class GoOn>
   void run(Hides hides, GoOn go_on, std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& sizes);
 
+  /// Pairs of ranks of which the one was found to hide the other; among members of one component, all.
+  const std::vector<Edge>& edges() const { return edges_; }
   SearchCounts counts() const;
 
  private:
@@ -71,6 +74,7 @@ class ComponentSearch {
   std::vector<std::uint32_t> head_;  // by cell: members before it are done
   std::vector<std::uint32_t> waiting_;
   std::vector<Visiting> path_;
+  std::vector<Edge> edges_;
   std::uint32_t visits_ = 0;
   SearchCounts counts_;
 };
@@ -122,6 +126,7 @@ std::uint32_t ComponentSearch::next_hidden(Visiting& visiting, Hides& hides) {
       node.asked_by = p;
       ++counts_.tested;
       if (!hides(p, q)) continue;
+      edges_.push_back({p, q});
       if (node.visit == not_visited) {
         visiting.member = place + 1;
         return q;

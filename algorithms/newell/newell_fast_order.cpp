@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +9,49 @@
 #include "radix_order.h"
 
 namespace hsr::newell_fast {
+
+namespace {
+
+/// The edges within components of more than one member, component by component, between places in it.
+class ComponentEdges {
+ public:
+  ComponentEdges(std::span<const Edge> edges, std::span<const std::uint32_t> order,
+                 std::span<const std::uint32_t> sizes)
+      : component_(order.size(), Item::none), place_(order.size()), first_(sizes.size() + 1, 0) {
+    std::size_t at = 0;
+    for (std::uint32_t k = 0; k < sizes.size(); ++k) {
+      for (std::uint32_t place = 0; place < sizes[k]; ++place, ++at) {
+        place_[order[at]] = place;
+        if (sizes[k] > 1) component_[order[at]] = k;
+      }
+    }
+    for (const Edge& edge : edges) {
+      if (within(edge)) ++first_[component_[edge.from] + 1];
+    }
+    for (std::size_t k = 0; k < sizes.size(); ++k) first_[k + 1] += first_[k];
+    sorted_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const Edge& edge : edges) {
+      if (within(edge)) sorted_[next[component_[edge.from]]++] = {place_[edge.from], place_[edge.to]};
+    }
+  }
+
+  std::span<const Edge> of(std::size_t component) const {
+    return std::span(sorted_).subspan(first_[component], first_[component + 1] - first_[component]);
+  }
+
+ private:
+  bool within(const Edge& edge) const {
+    return component_[edge.from] != Item::none && component_[edge.from] == component_[edge.to];
+  }
+
+  std::vector<std::uint32_t> component_;  // none for those that are alone
+  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Edge> sorted_;
+};
+
+}  // namespace
 
 PaintSequence::PaintSequence(const View& view, const std::vector<std::uint32_t>& same_corner,
                              OrderSkips skips, int threads)
@@ -22,8 +64,9 @@ PaintSequence::PaintSequence(const View& view, const std::vector<std::uint32_t>&
                float_below(view.near_depth),
                float_above(view.far_depth)},
       vertices_(vertices_of(view, threads)),
-      polygons_(view, vertices_),
-      pairs_(items_, vertices_, same_corner, polygons_) {
+      polygons_(view, vertices_, same_corner),
+      pairs_(items_, vertices_, polygons_),
+      cutter_(items_, extents_, polygons_, pairs_) {
   add_items();
 }
 
@@ -100,31 +143,26 @@ void PaintSequence::add_item(const Candidate& candidate) {
   extents_.push_back(candidate.extent);
 }
 
-// 2. and 3., for one group after the other.
+// 2. to 4., for one group after the other.
 void PaintSequence::sort(const Progress& progress) {
   find_components(
       extents_, [](std::uint32_t rank) { return rank; }, progress);
-  std::vector<std::uint32_t> items;
   while (!groups_.empty() && going_) {
     const Group group = groups_.back();
     groups_.pop_back();
-    const auto first = waiting_.end() - static_cast<std::ptrdiff_t>(group.count);
+    take(group);
     if (group.kind == GroupKind::ordered) {
-      order_.insert(order_.end(), first, waiting_.end());
-      waiting_.erase(first, waiting_.end());
-      continue;
-    }
-    items.assign(first, waiting_.end());
-    waiting_.erase(first, waiting_.end());
-    if (group.kind == GroupKind::component) {
-      divide(items);
+      order_.insert(order_.end(), members_.begin(), members_.end());
+    } else if (group.kind == GroupKind::unordered) {
+      find_components_of(members_);
     } else {
-      find_components_of(items);
+      break_component();
     }
   }
 }
 
-// Puts the components of some items on top of what waits.
+// 2. Puts the components of some items on top of what waits. `ranked` are their extents, the farthest
+// first.
 template <class ItemOf>
 void PaintSequence::find_components(std::span<const Extent> ranked, ItemOf item_of,
                                     const Progress& progress) {
@@ -134,26 +172,26 @@ void PaintSequence::find_components(std::span<const Extent> ranked, ItemOf item_
     for (std::size_t k = 0; k < 3; ++k) corners[k] = vertices_.extents[item.corner[k]];
     return true;
   };
-  const Cells cells(ranked, view_.width, view_.height, corners_of);
-  ComponentSearch search(ranked, cells, skips_.extents);
-  std::vector<std::uint32_t> order;
-  std::vector<std::uint32_t> sizes;
-  order.reserve(ranked.size());
-  sizes.reserve(ranked.size());
+  const auto hides = [&](std::uint32_t p, std::uint32_t q) { return pairs_.hides(item_of(p), item_of(q)); };
   constexpr std::size_t report_every = 4096;
   std::size_t reported = 0;
-  search.run([&](std::uint32_t p, std::uint32_t q) { return pairs_.hides(item_of(p), item_of(q)); },
-             [&](std::size_t painted) {
-               if (painted < reported + report_every) return true;
-               reported = painted;
-               going_ = report_progress(progress, "ordering",
-                                        static_cast<double>(painted) / static_cast<double>(ranked.size()));
-               return going_;
-             },
-             order, sizes);
+  const auto go_on = [&](std::size_t painted) {
+    if (painted < reported + report_every) return true;
+    reported = painted;
+    going_ = report_progress(progress, "ordering",
+                             static_cast<double>(painted) / static_cast<double>(ranked.size()));
+    return going_;
+  };
+  const Cells cells(ranked, view_.width, view_.height, corners_of);
+  ComponentSearch search(ranked, cells, skips_.extents);
+  component_order_.clear();
+  component_sizes_.clear();
+  search.run(hides, go_on, component_order_, component_sizes_);
   counts_.search += search.counts();
-  for (std::uint32_t& rank : order) rank = item_of(rank);
-  push_components(order, sizes);
+  if (!going_) return;
+  std::vector<std::uint32_t> items(ranked.size());
+  for (std::uint32_t rank = 0; rank < items.size(); ++rank) items[rank] = item_of(rank);
+  push_components(items, search.edges(), component_order_, component_sizes_);
 }
 
 void PaintSequence::find_components_of(std::vector<std::uint32_t>& items) {
@@ -166,124 +204,70 @@ void PaintSequence::find_components_of(std::vector<std::uint32_t>& items) {
   find_components(ranked, [&](std::uint32_t rank) { return items[rank]; }, {});
 }
 
-void PaintSequence::push(GroupKind kind, std::span<const std::uint32_t> items) {
+// Makes a group, which is the last that waits, the one at hand.
+void PaintSequence::take(const Group& group) {
+  const auto first = waiting_.end() - static_cast<std::ptrdiff_t>(group.count);
+  members_.assign(first, waiting_.end());
+  waiting_.erase(first, waiting_.end());
+  const auto first_edge = waiting_edges_.end() - static_cast<std::ptrdiff_t>(group.edges);
+  edges_.assign(first_edge, waiting_edges_.end());
+  waiting_edges_.erase(first_edge, waiting_edges_.end());
+}
+
+void PaintSequence::push(GroupKind kind, std::span<const std::uint32_t> items, std::span<const Edge> edges) {
   if (items.empty()) return;
   const GroupKind simplest = items.size() == 1 ? GroupKind::ordered : kind;
   waiting_.insert(waiting_.end(), items.begin(), items.end());
-  groups_.push_back({simplest, static_cast<std::uint32_t>(items.size())});
+  waiting_edges_.insert(waiting_edges_.end(), edges.begin(), edges.end());
+  groups_.push_back(
+      {simplest, static_cast<std::uint32_t>(items.size()), static_cast<std::uint32_t>(edges.size())});
 }
 
-// The last is pushed first, as what is on top comes next. Single ones in a row are one group.
-void PaintSequence::push_components(std::span<const std::uint32_t> order,
+// `order` holds places in `items`, which the edges join as well. The last component is pushed first, as
+// what is on top comes next. Single ones in a row are one group.
+void PaintSequence::push_components(std::span<const std::uint32_t> items, std::span<const Edge> edges,
+                                    std::span<const std::uint32_t> order,
                                     std::span<const std::uint32_t> sizes) {
+  const ComponentEdges kept(edges, order, sizes);
+  std::vector<std::uint32_t> group;
   std::size_t end = order.size();
   for (std::size_t k = sizes.size(); k > 0;) {
     std::size_t begin = end;
+    std::span<const Edge> within;
+    GroupKind kind = GroupKind::ordered;
     if (sizes[k - 1] == 1) {
       for (; k > 0 && sizes[k - 1] == 1; --k) --begin;
-      push(GroupKind::ordered, order.subspan(begin, end - begin));
     } else {
       begin -= sizes[--k];
-      push(GroupKind::component, order.subspan(begin, end - begin));
+      within = kept.of(k);
+      kind = GroupKind::component;
     }
+    group.clear();
+    for (std::size_t at = begin; at < end; ++at) group.push_back(items[order[at]]);
+    push(kind, group, within);
     end = begin;
   }
 }
 
-// 3. The plane of one member divides the others.
-void PaintSequence::divide(std::span<const std::uint32_t> component) {
+// 3. and 4.
+void PaintSequence::break_component() {
+  // A crowded component is divided until so few are left that all may be compared with all.
+  constexpr std::size_t crowd = 24;           // members
+  constexpr std::size_t many_neighbours = 6;  // edges per member
   ++counts_.components;
-  counts_.largest_component = std::max<std::uint64_t>(counts_.largest_component, component.size());
-  for (const std::uint32_t item : component) polygons_.materialize(items_[item]);
-  const std::uint32_t divider = choose_divider(component);
-  behind_.clear();
-  in_plane_.assign(1, divider);
-  before_.clear();
-  for (const std::uint32_t item : component) {
-    if (item != divider) put(item, divider);
-  }
-  push(GroupKind::unordered, before_);
-  push(GroupKind::ordered, in_plane_);
-  push(GroupKind::unordered, behind_);
-}
-
-// The one whose plane cuts the fewest others; of these the one that divides them most evenly. In a large
-// component only some are tried. Signs that are not certain count as zero: here nothing depends on them.
-std::uint32_t PaintSequence::choose_divider(std::span<const std::uint32_t> component) {
-  constexpr std::size_t most_tried = 16;
-  const std::size_t step = (component.size() + most_tried - 1) / most_tried;
-  std::uint32_t best = component.front();
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
-  std::size_t most_even = fewest;
-  for (std::size_t place = 0; place < component.size(); place += step) {
-    const std::uint32_t divider = component[place];
-    std::size_t cuts = 0;
-    std::size_t behind = 0;
-    std::size_t before = 0;
-    for (const std::uint32_t item : component) {
-      if (items_[item].triangle == items_[divider].triangle) continue;
-      const FilteredVector f = items_[divider].inverse_depth - items_[item].inverse_depth;
-      bool positive = false;
-      bool negative = false;
-      for (const Corner& corner : polygons_.kept(items_[item])) {
-        const int sign = certain_sign(dot(f, corner.point));
-        positive = positive || sign > 0;
-        negative = negative || sign < 0;
-      }
-      cuts += positive && negative ? 1 : 0;
-      behind += positive ? 1 : 0;
-      before += negative ? 1 : 0;
-      if (cuts > fewest) break;
-    }
-    const std::size_t larger = std::max(behind, before);
-    if (cuts < fewest || (cuts == fewest && larger < most_even)) {
-      best = divider;
-      fewest = cuts;
-      most_even = larger;
-    }
-  }
-  return best;
-}
-
-// Puts an item, or its two parts, on the sides of the divider's plane.
-void PaintSequence::put(std::uint32_t item, std::uint32_t divider) {
-  if (items_[item].triangle == items_[divider].triangle) {
-    in_plane_.push_back(item);
+  counts_.largest_component = std::max<std::uint64_t>(counts_.largest_component, members_.size());
+  for (const std::uint32_t item : members_) polygons_.materialize(items_[item]);
+  const bool crowded = members_.size() > crowd && edges_.size() > many_neighbours * members_.size();
+  if (!crowded && cutter_.break_cycles(members_, edges_)) {
+    graph_.assign(static_cast<std::uint32_t>(members_.size()), edges_);
+    graph_.components(component_order_, component_sizes_);
+    push_components(members_, edges_, component_order_, component_sizes_);
     return;
   }
-  const Line line = Polygons::crossing(items_[item], items_[divider]);
-  bool positive = false;
-  bool negative = false;
-  for (const Corner& corner : polygons_.kept(items_[item])) {
-    const int sign = polygons_.sign(line, corner);
-    positive = positive || sign > 0;
-    negative = negative || sign < 0;
-  }
-  if (positive && negative) {
-    ++counts_.cuts;
-    behind_.push_back(add_piece(item, line, divider, false));
-    before_.push_back(add_piece(item, line, divider, true));
-  } else if (positive) {
-    behind_.push_back(item);
-  } else if (negative) {
-    before_.push_back(item);
-  } else {
-    in_plane_.push_back(item);
-  }
-}
-
-std::uint32_t PaintSequence::add_piece(std::uint32_t whole, const Line& line, std::uint32_t divider,
-                                       bool before) {
-  Item piece = items_[whole];
-  piece.whole = false;
-  polygons_.clip(polygons_.kept(piece), before ? turned(line) : line, clipped_);
-  polygons_.keep(clipped_, piece);
-  piece.cut = polygons_.add_cut({items_[divider].triangle, before, piece.cut});
-  Extent extent = extents_[whole];
-  extent.clamp_to(polygons_.extent(piece, clipped_));
-  items_.push_back(piece);
-  extents_.push_back(extent);
-  return static_cast<std::uint32_t>(items_.size() - 1);
+  const Cutter::Division& parts = cutter_.divide(members_);
+  push(GroupKind::unordered, parts.before);
+  push(GroupKind::ordered, parts.in_plane);
+  push(GroupKind::unordered, parts.behind);
 }
 
 void PaintSequence::outline(std::uint32_t item, std::vector<Corner>& result) {
@@ -296,6 +280,7 @@ void PaintSequence::outline(std::uint32_t item, std::vector<Corner>& result) {
 SequenceCounts PaintSequence::counts() const {
   SequenceCounts counts = counts_;
   counts.by_polygon = pairs_.by_polygon();
+  counts.cuts = cutter_.cuts();
   counts.exact_evaluations = polygons_.exact_evaluations();
   return counts;
 }

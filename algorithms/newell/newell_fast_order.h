@@ -7,6 +7,8 @@
 
 #include "algorithm.h"
 #include "newell/newell_fast_components.h"
+#include "newell/newell_fast_cuts.h"
+#include "newell/newell_fast_graph.h"
 #include "newell/newell_fast_pairs.h"
 #include "newell/newell_fast_polygons.h"
 #include "newell/newell_fast_vertices.h"
@@ -38,12 +40,16 @@ struct SequenceCounts {
 ///   1. Sort the triangles by their farthest points, the farthest first.
 ///   2. Find the components of "hides, so has to be painted after" (newell_fast_components.h), which come
 ///      in an order that can be painted.
-///   3. Where a component has more than one member, these overlap in a cycle or cross. The plane of one of
-///      them divides the others, cutting what lies on both sides: what lies behind it is painted first,
-///      then what lies in it, then what lies before it. Each of these begins again with 1.
+///   3. Where a component has more than one member, these overlap in a cycle or cross. Short cycles are
+///      looked for that have no member in common, and in each of them one member is cut by the plane of
+///      another. What is left are smaller components, and so on.
+///   4. In a crowded component, where each member hides many, that would take long: there the plane of one
+///      member divides all others, as in a binary space partition. What lies behind it is painted first,
+///      then what lies in it, then what lies before it; and each begins again with 2.
 class PaintSequence {
  public:
-  /// `same_corner` as for PairTest. All but the skips must outlive the object.
+  /// `same_corner` tells for each of the scene's positions which stands for all at the same point
+  /// (newell_fast_corners.h). It and the view must outlive the object.
   PaintSequence(const View& view, const std::vector<std::uint32_t>& same_corner, OrderSkips skips,
                 int threads);
 
@@ -64,11 +70,16 @@ class PaintSequence {
   std::uint64_t bytes() const;
 
  private:
-  enum class GroupKind : std::uint8_t { ordered, unordered, component };
-  /// The last `count` of those that wait, to be painted after all later groups.
+  enum class GroupKind : std::uint8_t {
+    ordered,    // an order that can be painted
+    unordered,  // nothing is known
+    component   // strongly connected, by edges that are known
+  };
+  /// The last `count` of those that wait, to be painted after all later groups, and the last edges.
   struct Group {
     GroupKind kind;
     std::uint32_t count;
+    std::uint32_t edges;
   };
   /// What may become an item, before the sort.
   struct Candidate {
@@ -85,12 +96,11 @@ class PaintSequence {
   template <class ItemOf>
   void find_components(std::span<const Extent> ranked, ItemOf item_of, const Progress& progress);
   void find_components_of(std::vector<std::uint32_t>& items);
-  void push(GroupKind kind, std::span<const std::uint32_t> items);
-  void push_components(std::span<const std::uint32_t> order, std::span<const std::uint32_t> sizes);
-  void divide(std::span<const std::uint32_t> component);
-  std::uint32_t choose_divider(std::span<const std::uint32_t> component);
-  void put(std::uint32_t item, std::uint32_t divider);
-  std::uint32_t add_piece(std::uint32_t whole, const Line& line, std::uint32_t divider, bool before);
+  void push(GroupKind kind, std::span<const std::uint32_t> items, std::span<const Edge> edges = {});
+  void push_components(std::span<const std::uint32_t> items, std::span<const Edge> edges,
+                       std::span<const std::uint32_t> order, std::span<const std::uint32_t> sizes);
+  void take(const Group& group);
+  void break_component();
 
   const View& view_;
   OrderSkips skips_;
@@ -101,13 +111,20 @@ class PaintSequence {
   std::vector<Item> items_;
   std::vector<Extent> extents_;  // by item
   PairTest pairs_;
+  Cutter cutter_;
 
+  // What waits to be painted, and edges within the groups, by places in the group.
   std::vector<std::uint32_t> waiting_;
+  std::vector<Edge> waiting_edges_;
   std::vector<Group> groups_;
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> behind_;
-  std::vector<std::uint32_t> in_plane_;
-  std::vector<std::uint32_t> before_;
+
+  // The group at hand.
+  std::vector<std::uint32_t> members_;
+  std::vector<Edge> edges_;
+  Graph graph_;
+  std::vector<std::uint32_t> component_order_;
+  std::vector<std::uint32_t> component_sizes_;
   std::vector<Corner> clipped_;
   bool going_ = true;
   SequenceCounts counts_;

@@ -1,11 +1,13 @@
 #include "newell/newell_fast_pairs.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <utility>
 
 namespace hsr::newell_fast {
 
 namespace {
+
+constexpr std::size_t least_with_area = 3;  // corners
 
 // A line's sign at the place where an edge of P and one of Q cross, of which two cross products tell the
 // direction: turned so that its w is positive; 0 if not certain.
@@ -17,26 +19,22 @@ int sign_at_crossing(const FilteredVector& line, const FilteredVector& first, co
 
 }  // namespace
 
-PairTest::PairTest(const std::vector<Item>& items, const Vertices& vertices,
-                   const std::vector<std::uint32_t>& same_corner, Polygons& polygons)
-    : items_(items), vertices_(vertices), same_corner_(same_corner), polygons_(polygons) {}
-
 bool PairTest::hides(std::uint32_t p, std::uint32_t q) {
   if (items_[p].whole && items_[q].whole) {
-    const Answer answer = whole_triangles(p, q);
+    const Answer answer = triangles(p, q);
     if (answer != Answer::unsettled) return answer == Answer::yes;
   }
-  return common_polygon(p, q);
+  return polygons(p, q);
 }
 
-void PairTest::prepare(std::uint32_t item, Prepared& prepared) const {
+void PairTest::prepare_triangle(std::uint32_t item, Prepared& prepared) const {
   if (prepared.item == item) return;
   prepared.item = item;
+  prepared.count = 3;
   prepared.has_edges = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t corner = items_[item].corner[k];
-    prepared.corner[k] = vertices_.clip[corner];
-    prepared.name[k] = same_corner_[corner];
+    prepared.name[k] = items_[item].corner[k];
+    prepared.corner[k] = vertices_.clip[prepared.name[k]];
   }
 }
 
@@ -48,11 +46,24 @@ void PairTest::make_edges(Prepared& prepared) {
   prepared.has_edges = true;
 }
 
-PairTest::Planes PairTest::planes(const FilteredVector& crossing, const Prepared& of, const Prepared& with) {
+// Corners that are no triangle's corner get names from `no_name` downwards, which no other one has.
+void PairTest::prepare_polygon(std::span<const Corner> corners, std::uint32_t no_name, Prepared& prepared) {
+  prepared.count = corners.size();
+  prepared.has_edges = true;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const bool is_corner = corners[k].name.is_corner();
+    prepared.name[k] = is_corner ? corners[k].name.position : no_name - static_cast<std::uint32_t>(k);
+    prepared.corner[k] = corners[k].point;
+    prepared.edge[k] = corners[k].line.f;
+  }
+}
+
+PairTest::Planes PairTest::triangle_planes(const FilteredVector& crossing, const Prepared& of,
+                                           const Prepared& with) {
   Planes planes;
   for (std::size_t k = 0; k < 3; ++k) {
-    planes.shared[k] = of.name[k] == with.name[0] || of.name[k] == with.name[1] || of.name[k] == with.name[2];
-    if (planes.shared[k]) continue;
+    planes.zero[k] = of.name[k] == with.name[0] || of.name[k] == with.name[1] || of.name[k] == with.name[2];
+    if (planes.zero[k]) continue;
     planes.sign[k] = certain_sign(dot(crossing, of.corner[k]));
     planes.none_negative = planes.none_negative && planes.sign[k] > 0;
     planes.none_positive = planes.none_positive && planes.sign[k] < 0;
@@ -60,74 +71,87 @@ PairTest::Planes PairTest::planes(const FilteredVector& crossing, const Prepared
   return planes;
 }
 
+PairTest::Planes PairTest::polygon_planes(const Line& crossing, std::span<const Corner> corners) {
+  Planes planes;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    planes.sign[k] = polygons_.sign(crossing, corners[k]);
+    planes.zero[k] = planes.sign[k] == 0;
+    planes.none_negative = planes.none_negative && planes.sign[k] >= 0;
+    planes.none_positive = planes.none_positive && planes.sign[k] <= 0;
+  }
+  return planes;
+}
+
 // An edge that has all corners of the other outside, where those on its ends count as such, has nothing in
 // common with the other but an end, or itself; and there both are equally near.
-void PairTest::edge_signs(const Prepared& edges_of, const Prepared& corners_of, Signs& signs) {
-  for (std::size_t k = 0; k < 3; ++k) {
+template <std::size_t N>
+PairTest::Signs PairTest::edge_signs(const Prepared& edges_of, const Prepared& corners_of) {
+  Signs signs;
+  const std::size_t edges = size<N>(edges_of);
+  const std::size_t corners = size<N>(corners_of);
+  for (std::size_t k = 0; k < edges; ++k) {
+    const std::uint32_t start = edges_of.name[k];
+    const std::uint32_t end = edges_of.name[k + 1 < edges ? k + 1 : 0];
     bool some_inside = false;
     bool all_outside = true;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::uint32_t name = corners_of.name[j];
-      if (name == edges_of.name[k] || name == edges_of.name[(k + 1) % 3]) {
-        signs.at[k][j] = 0;
-        continue;
-      }
+    for (std::size_t j = 0; j < corners; ++j) {
+      signs.at[k][j] = 0;
+      if (corners_of.name[j] == start || corners_of.name[j] == end) continue;
       const int sign = certain_sign(dot(edges_of.edge[k], corners_of.corner[j]));
       signs.at[k][j] = sign;
       some_inside = some_inside || sign > 0;
       all_outside = all_outside && sign < 0;
     }
     signs.apart = signs.apart || all_outside;
-    signs.unsettled = signs.unsettled || !some_inside;
+    signs.overlap = signs.overlap && some_inside;
   }
+  return signs;
 }
 
-PairTest::Answer PairTest::whole_triangles(std::uint32_t p, std::uint32_t q) {
-  prepare(p, p_);
-  prepare(q, q_);
-  // >= 0 where Q's plane is as near as P's, or nearer.
-  const FilteredVector crossing = items_[q].inverse_depth - items_[p].inverse_depth;
-  const Planes p_planes = planes(crossing, p_, q_);
-  if (p_planes.none_negative) return Answer::no;
-  const Planes q_planes = planes(crossing, q_, p_);
-  if (q_planes.none_negative) return Answer::no;
-
-  Signs p_edges;
-  make_edges(p_);
-  edge_signs(p_, q_, p_edges);
+template <std::size_t N>
+PairTest::Answer PairTest::overlap_answer(const FilteredVector& crossing, const Planes& p_planes,
+                                          const Planes& q_planes, Prepared& p, Prepared& q) {
+  if constexpr (N == 3) make_edges(p);
+  const Signs p_edges = edge_signs<N>(p, q);
   if (p_edges.apart) return Answer::no;
-  Signs q_edges;
-  make_edges(q_);
-  edge_signs(q_, p_, q_edges);
+  if constexpr (N == 3) make_edges(q);
+  const Signs q_edges = edge_signs<N>(q, p);
   if (q_edges.apart) return Answer::no;
-  if (p_edges.unsettled || q_edges.unsettled) return Answer::unsettled;
-
-  // Every edge has some of the other triangle strictly inside, so what they have in common has an area. If
-  // P is nowhere farther there, it is nearer somewhere, as the planes are not the same.
+  if (!p_edges.overlap || !q_edges.overlap) return Answer::unsettled;
+  // Every edge has some of the other one strictly inside, so what they have in common has an area. If P is
+  // nowhere farther there, it is nearer somewhere, as the planes are not the same.
   if (p_planes.none_positive || q_planes.none_positive) return Answer::yes;
-  return common_corners(crossing, p_planes, q_planes, p_edges, q_edges, p_, q_);
+  return common_corners<N>(crossing, p_planes, q_planes, p_edges, q_edges, p, q);
 }
 
-// At a corner that both have they are equally near; so are they where edges meet that both end there.
+// Where both have a corner they are equally near; so are they where edges meet that both end there.
+template <std::size_t N>
 PairTest::Answer PairTest::common_corners(const FilteredVector& crossing, const Planes& p_planes,
                                           const Planes& q_planes, const Signs& p_edges, const Signs& q_edges,
                                           const Prepared& p, const Prepared& q) {
+  const std::size_t p_size = size<N>(p);
+  const std::size_t q_size = size<N>(q);
   bool certain = true;
-  // A corner of one that lies inside the other, or on its outline.
-  const auto look_at_corner = [&certain](const Planes& planes, const Signs& edges, std::size_t k) {
-    if (planes.shared[k]) return false;
-    const int inside = std::min({edges.at[0][k], edges.at[1][k], edges.at[2][k]});
+  // Whether a corner of one that lies inside the other is nearer; those on its outline leave it open.
+  const auto nearer_inside = [&certain](const Planes& planes, const Signs& edges, std::size_t k,
+                                        std::size_t edge_count) {
+    if (planes.zero[k]) return false;
+    int inside = 1;
+    for (std::size_t edge = 0; edge < edge_count; ++edge) inside = std::min(inside, edges.at[edge][k]);
     certain = certain && (inside < 0 || planes.sign[k] > 0);
     return inside > 0 && planes.sign[k] < 0;
   };
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (look_at_corner(p_planes, q_edges, k) || look_at_corner(q_planes, p_edges, k)) return Answer::yes;
+  for (std::size_t k = 0; k < p_size; ++k) {
+    if (nearer_inside(p_planes, q_edges, k, q_size)) return Answer::yes;
+  }
+  for (std::size_t k = 0; k < q_size; ++k) {
+    if (nearer_inside(q_planes, p_edges, k, p_size)) return Answer::yes;
   }
   // Edges that cross: each has the ends of the other on both sides.
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t i_end = (i + 1) % 3;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t j_end = (j + 1) % 3;
+  for (std::size_t i = 0; i < p_size; ++i) {
+    const std::size_t i_end = i + 1 < p_size ? i + 1 : 0;
+    for (std::size_t j = 0; j < q_size; ++j) {
+      const std::size_t j_end = j + 1 < q_size ? j + 1 : 0;
       const int p_ends = q_edges.at[j][i] * q_edges.at[j][i_end];
       const int q_ends = p_edges.at[i][j] * p_edges.at[i][j_end];
       if (p_ends > 0 || q_ends > 0) continue;
@@ -142,35 +166,53 @@ PairTest::Answer PairTest::common_corners(const FilteredVector& crossing, const 
   return certain ? Answer::no : Answer::unsettled;
 }
 
-bool PairTest::common_polygon(std::uint32_t p, std::uint32_t q) {
-  ++by_polygon_;
+PairTest::Answer PairTest::triangles(std::uint32_t p, std::uint32_t q) {
+  prepare_triangle(p, p_);
+  prepare_triangle(q, q_);
+  // >= 0 where Q's plane is as near as P's, or nearer.
+  const FilteredVector crossing = items_[q].inverse_depth - items_[p].inverse_depth;
+  const Planes p_planes = triangle_planes(crossing, p_, q_);
+  if (p_planes.none_negative) return Answer::no;
+  const Planes q_planes = triangle_planes(crossing, q_, p_);
+  if (q_planes.none_negative) return Answer::no;
+  return overlap_answer<3>(crossing, p_planes, q_planes, p_, q_);
+}
+
+bool PairTest::polygons(std::uint32_t p, std::uint32_t q) {
   std::array<Corner, 3> p_room;
   std::array<Corner, 3> q_room;
-  std::span<const Corner> first = polygons_.corners(items_[p], p_room);
-  std::span<const Corner> second = polygons_.corners(items_[q], q_room);
+  const std::span<const Corner> p_corners = polygons_.corners(items_[p], p_room);
+  const std::span<const Corner> q_corners = polygons_.corners(items_[q], q_room);
   const Line crossing = Polygons::crossing(items_[p], items_[q]);
-  const auto never_nearer = [&](std::span<const Corner> polygon) {
-    return std::ranges::all_of(polygon,
-                               [&](const Corner& corner) { return polygons_.sign(crossing, corner) >= 0; });
+  const auto is_usual = [](std::span<const Corner> corners) {
+    return corners.size() >= least_with_area && corners.size() <= most_corners;
   };
-  if (never_nearer(first) || never_nearer(second)) return false;
-  const auto apart = [](std::span<const Corner> edges, std::span<const Corner> corners) {
-    return std::ranges::any_of(edges, [&](const Corner& edge) {
-      return std::ranges::all_of(
-          corners, [&](const Corner& corner) { return dot(edge.line.f, corner.point).surely_negative(); });
-    });
-  };
-  if (apart(first, second) || apart(second, first)) return false;
+  if (!is_usual(p_corners) || !is_usual(q_corners)) {
+    return common_polygon(crossing, p_corners, q_corners);
+  }
+  const Planes p_planes = polygon_planes(crossing, p_corners);
+  if (p_planes.none_negative) return false;
+  const Planes q_planes = polygon_planes(crossing, q_corners);
+  if (q_planes.none_negative) return false;
+  constexpr std::uint32_t no_name = Item::none - 1;
+  prepare_polygon(p_corners, no_name, p_polygon_);
+  prepare_polygon(q_corners, no_name - most_corners, q_polygon_);
+  const Answer answer = overlap_answer<0>(crossing.f, p_planes, q_planes, p_polygon_, q_polygon_);
+  return answer == Answer::unsettled ? common_polygon(crossing, p_corners, q_corners) : answer == Answer::yes;
+}
+
+bool PairTest::common_polygon(const Line& crossing, std::span<const Corner> p, std::span<const Corner> q) {
+  ++by_polygon_;
   // A point or a line has not the lines that would cut another polygon down to it.
-  constexpr std::size_t least_with_area = 3;
-  if (second.size() < least_with_area) std::swap(first, second);
-  common_.assign(first.begin(), first.end());
-  for (const Corner& edge : second) {
+  if (q.size() < least_with_area) std::swap(p, q);
+  common_.assign(p.begin(), p.end());
+  for (const Corner& edge : q) {
     if (common_.empty()) return false;
     polygons_.clip(common_, edge.line, clipped_);
     common_.swap(clipped_);
   }
-  return !never_nearer(common_);
+  return std::ranges::any_of(common_,
+                             [&](const Corner& corner) { return polygons_.sign(crossing, corner) < 0; });
 }
 
 }  // namespace hsr::newell_fast

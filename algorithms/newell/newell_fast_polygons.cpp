@@ -30,8 +30,8 @@ FilteredVector divided(const FilteredVector& numerator, const Bounded& divisor) 
 
 }  // namespace
 
-Polygons::Polygons(const View& view, const Vertices& vertices)
-    : view_(view), vertices_(vertices), exact_(projection_of(view), *view.scene) {}
+Polygons::Polygons(const View& view, const Vertices& vertices, const std::vector<std::uint32_t>& same_corner)
+    : view_(view), vertices_(vertices), same_corner_(same_corner), exact_(projection_of(view), *view.scene) {}
 
 std::optional<Item> Polygons::item(std::uint32_t triangle, bool whole) {
   const std::array<std::uint32_t, 3>& corners = view_.scene->triangles[triangle].corners;
@@ -43,7 +43,7 @@ std::optional<Item> Polygons::item(std::uint32_t triangle, bool whole) {
   if (orientation == 0) return std::nullopt;
   Item item;
   item.inverse_depth = divided(sum, det);
-  item.corner = corners;
+  for (std::size_t k = 0; k < 3; ++k) item.corner[k] = same_corner_[corners[k]];
   item.triangle = triangle;
   item.turned = orientation < 0;
   item.whole = whole;

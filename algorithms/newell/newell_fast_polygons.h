@@ -37,8 +37,9 @@ struct Corner {
 /// Something to be ordered: a triangle, or a piece of one.
 struct Item {
   static constexpr std::uint32_t none = 4294967295U;
-  FilteredVector inverse_depth;            ///< of its plane: 1 / eye depth = inverse_depth · (x, y, w) / w
-  std::array<std::uint32_t, 3> corner{};   ///< of the triangle, so turned that its edges are >= 0 inside
+  FilteredVector inverse_depth;  ///< of its plane: 1 / eye depth = inverse_depth · (x, y, w) / w
+  /// Of the triangle, so turned that its edges are >= 0 inside. Corners at the same point have one index.
+  std::array<std::uint32_t, 3> corner{};
   std::uint32_t triangle = background_id;  ///< id
   std::uint32_t first = none;              ///< its polygon in Polygons; none for a whole triangle without
   std::uint32_t count = 0;
@@ -55,10 +56,10 @@ struct CutBy {
 };
 
 /// The outlines of items and the exact questions about them. Keeps caches and room for polygons; one per
-/// thread. View and vertices must outlive it.
+/// thread. What it is given must outlive it.
 class Polygons {
  public:
-  Polygons(const View& view, const Vertices& vertices);
+  Polygons(const View& view, const Vertices& vertices, const std::vector<std::uint32_t>& same_corner);
 
   /// The item for a triangle, or nothing if it covers nothing at all. `whole` tells that all its corners
   /// surely lie beyond near.
@@ -111,6 +112,7 @@ class Polygons {
 
   const View& view_;
   const Vertices& vertices_;
+  const std::vector<std::uint32_t>& same_corner_;
   ExactRegion exact_;
   std::vector<Corner> corners_;
   std::vector<CutBy> cuts_;

@@ -27,6 +27,7 @@ struct LineName {
   std::uint32_t q = background_id;
 
   bool same_line(const LineName& other) const {
+    if (kind == Kind::crossing && other.kind == kind && p == other.q && q == other.p) return true;
     return kind == other.kind && side == other.side && p == other.p && q == other.q;
   }
 };
@@ -59,6 +60,12 @@ struct Region {
   std::vector<RegionLine> lines;       ///< lines[k] bounds it from vertices[k] to the next one
 
   bool empty() const { return vertices.empty(); }
+};
+
+/// On which sides of a line a region has vertices.
+struct Sides {
+  bool positive = false;  ///< some vertex lies strictly inside
+  bool negative = false;  ///< some vertex lies strictly outside
 };
 
 }  // namespace hsr
