@@ -10,6 +10,7 @@
 #include "newell/newell_fast.h"
 #include "none/none.h"
 #include "painter/painter.h"
+#include "painter/painter_fast.h"
 #include "raycast/raycast.h"
 #include "raycast/raycast_fast.h"
 #include "zbuffer/zbuffer.h"
@@ -19,9 +20,9 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),    &painter_algorithm(),      &newell_algorithm(),  &newell_fast_algorithm(),
-      &zbuffer_algorithm(), &zbuffer_fast_algorithm(), &abuffer_algorithm(), &depthlist_algorithm(),
-      &raycast_algorithm(), &raycast_fast_algorithm(),
+      &none_algorithm(),        &painter_algorithm(), &painter_fast_algorithm(), &newell_algorithm(),
+      &newell_fast_algorithm(), &zbuffer_algorithm(), &zbuffer_fast_algorithm(), &abuffer_algorithm(),
+      &depthlist_algorithm(),   &raycast_algorithm(), &raycast_fast_algorithm(),
   };
   return rows;
 }

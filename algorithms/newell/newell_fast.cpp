@@ -11,17 +11,19 @@
 
 #include "newell/newell_fast.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "mask_painting.h"
 #include "newell/newell.h"
 #include "newell/newell_fast_corners.h"
 #include "newell/newell_fast_order.h"
-#include "painting.h"
+#include "predicates/sample_predicates.h"
 #include "skips.h"
-#include "trace/trace.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -35,7 +37,7 @@ using newell_fast::SequenceCounts;
 
 constexpr Skip extents_skip = {
     "extents", "pairs whose extents in depth or in the picture are apart are not tested any further"};
-constexpr std::array skips = {off_screen_skip, between_centres_skip, extents_skip};
+constexpr std::array skips = {off_screen_skip, between_centres_skip, extents_skip, covered_skip};
 
 class NewellFast : public Renderer {
  public:
@@ -47,7 +49,6 @@ class NewellFast : public Renderer {
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
-    if (frame.color.empty()) return render_without_colors(view, options, frame);
     RenderReport report;
     const newell_fast::OrderSkips left_out = {
         .off_screen = options.uses(off_screen_skip.name),
@@ -55,7 +56,7 @@ class NewellFast : public Renderer {
         .extents = options.uses(extents_skip.name)};
     PaintSequence sequence(view, same_corner_, left_out, options.threads);
     sequence.sort(options.progress);
-    paint(view, sequence, options, report, frame);
+    if (!frame.id.empty()) paint(view, sequence, options, report, frame);
     if (frame.faces) frame.faces = outlined(view, sequence);
     add_counters(sequence, report);
     return report;
@@ -70,38 +71,68 @@ class NewellFast : public Renderer {
   }
 
  private:
-  RenderReport render_without_colors(const View& view, const RenderOptions& options, Frame& frame) {
-    Frame colored(view.width, view.height);
-    if (frame.faces) colored.faces.emplace();
-    RenderReport report = render(view, options, colored);
-    frame.depth = std::move(colored.depth);
-    frame.id = std::move(colored.id);
-    frame.faces = std::move(colored.faces);
-    return report;
-  }
+  // Pieces as places among the triangles that are set up, and what of each is painted.
+  struct PaintSteps {
+    std::vector<std::uint32_t> order;
+    std::vector<PaintedPiece> pieces;
+    std::vector<PixelBox> boxes;
+  };
 
   void paint(const View& view, const PaintSequence& sequence, const RenderOptions& options,
              RenderReport& report, Frame& frame) const {
-    RenderOptions all = options;
-    all.skips_off.insert(std::string(off_screen_skip.name));
-    all.skips_off.insert(std::string(between_centres_skip.name));
-    const ScreenTriangles set_up = set_up_with_skips(view, all, report);
+    ScreenTriangles set_up = set_up_with_skips(view, options, report);
+    const PaintSteps steps = paint_steps(view, sequence, set_up);
+    paint_under_mask(view, set_up, steps.order, steps.pieces, steps.boxes, colors_, options, report, frame);
+  }
+
+  static PaintSteps paint_steps(const View& view, const PaintSequence& sequence, ScreenTriangles& set_up) {
     std::vector<std::uint32_t> places(view.scene->triangles.size(), background_id);
     for (std::uint32_t place = 0; place < set_up.triangles.size(); ++place) {
       places[set_up.triangles[place].id] = place;
     }
-    std::vector<std::uint32_t> order;
-    std::vector<PaintedPiece> pieces;
+    PaintSteps steps;
     for (const std::uint32_t index : sequence.order()) {
       const Item& item = sequence.items()[index];
+      const std::uint32_t own_place = places[item.triangle];
+      if (own_place == background_id || set_up.boxes[own_place].empty()) continue;
       PaintedPiece piece;
       for (std::uint32_t place = item.cut; place != Item::none; place = sequence.cut(place).parent) {
-        piece.sides.push_back({places[sequence.cut(place).triangle], sequence.cut(place).before});
+        const CutBy& cut = sequence.cut(place);
+        piece.sides.push_back({place_of_plane(view, cut.triangle, places, set_up), cut.before});
       }
-      order.push_back(places[item.triangle]);
-      pieces.push_back(piece);
+      steps.order.push_back(own_place);
+      steps.pieces.push_back(std::move(piece));
+      steps.boxes.push_back(pixels_within(sequence.extent(index), set_up.boxes[own_place]));
     }
-    paint_in_order(view, set_up, order, pieces, colors_, options, NoTrace(), report, frame);
+    return steps;
+  }
+
+  // A triangle that covers no pixel may still have cut others.
+  static std::uint32_t place_of_plane(const View& view, std::uint32_t triangle,
+                                      std::vector<std::uint32_t>& places, ScreenTriangles& set_up) {
+    if (places[triangle] == background_id) {
+      const Projection projection = projection_of(view);
+      std::array<Homogeneous<Bounded>, 3> corner;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t position = view.scene->triangles[triangle].corners[k];
+        corner[k] = clip_from_world<Bounded>(projection, view.scene->positions[position]);
+      }
+      places[triangle] = static_cast<std::uint32_t>(set_up.triangles.size());
+      set_up.triangles.push_back(*SamplePredicates(projection, *view.scene).set_up(triangle, corner));
+      set_up.boxes.emplace_back();
+    }
+    return places[triangle];
+  }
+
+  // The pixels of the box whose centres lie within the extent.
+  static PixelBox pixels_within(const newell_fast::Extent& extent, PixelBox box) {
+    const auto narrow = [](float least, float greatest, int& first, int& last) {
+      first = static_cast<int>(std::max(static_cast<double>(first), std::ceil(double{least} - 0.5)));
+      last = static_cast<int>(std::min(static_cast<double>(last), std::floor(double{greatest} - 0.5)));
+    };
+    narrow(extent.left, extent.right, box.first_i, box.last_i);
+    narrow(extent.top, extent.bottom, box.first_j, box.last_j);
+    return box;
   }
 
   std::vector<PaintedFace> outlined(const View& view, PaintSequence& sequence) const {

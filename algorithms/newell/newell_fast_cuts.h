@@ -8,6 +8,7 @@
 #include "newell/newell_fast_pairs.h"
 #include "newell/newell_fast_polygons.h"
 #include "newell/newell_fast_vertices.h"
+#include "predicates/region_predicates.h"
 
 namespace hsr::newell_fast {
 

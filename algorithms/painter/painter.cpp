@@ -15,11 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <glm/geometric.hpp>
 #include <numeric>
 
+#include "painter/sort_keys.h"
 #include "painting.h"
-#include "predicates/region_predicates.h"
 #include "skips.h"
 #include "trace/trace.h"
 #include "view/shading.h"
@@ -28,44 +27,8 @@ namespace hsr {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> key_choices = {"farthest", "nearest", "mean", "centroid-distance"};
-constexpr std::array settings = {
-    Setting{"key",
-            "the depth that stands for a triangle: of its farthest or nearest corner, the mean of its three, "
-            "or the distance from the eye to its centroid",
-            key_choices}};
+constexpr std::array settings = {sort_key_setting};
 constexpr std::array skips = {off_screen_skip, between_centres_skip};
-
-using Corners = std::array<glm::dvec3, 3>;
-
-double eye_depth(const View& view, const glm::dvec3& world) {
-  return (view.clip_from_world * glm::dvec4(world, 1.0)).w;
-}
-
-double sort_key(const View& view, const Corners& corner, std::string_view key) {
-  if (key == "centroid-distance") {
-    return glm::length((corner[0] + corner[1] + corner[2]) / 3.0 - view.camera.eye);
-  }
-  const std::array<double, 3> depth = {eye_depth(view, corner[0]), eye_depth(view, corner[1]),
-                                       eye_depth(view, corner[2])};
-  if (key == "nearest") return *std::ranges::min_element(depth);
-  if (key == "mean") return (depth[0] + depth[1] + depth[2]) / 3.0;
-  return *std::ranges::max_element(depth);
-}
-
-std::vector<PaintedFace> painted_faces(const View& view, const ScreenTriangles& set_up,
-                                       const std::vector<std::uint32_t>& order,
-                                       const std::vector<glm::vec4>& colors) {
-  RegionPredicates predicates(projection_of(view), *view.scene, SignMethod::exact);
-  std::vector<PaintedFace> faces;
-  for (const std::uint32_t place : order) {
-    const std::uint32_t id = set_up.triangles[place].id;
-    const Region region = predicates.region(id);
-    if (region.vertices.size() < 3) continue;  // it only touches the picture's border
-    faces.push_back({{id}, 0, colors[id], raster_outline(region, view.width, view.height)});
-  }
-  return faces;
-}
 
 class Painter : public Renderer {
  public:
@@ -87,13 +50,9 @@ class Painter : public Renderer {
     const ScreenTriangles set_up = set_up_with_skips(view, options_for_faces(options, frame), report);
 
     // 1. Give every triangle one number.
-    std::vector<double> keys(set_up.triangles.size());
-    for (std::size_t index = 0; index < keys.size(); ++index) {
-      const Triangle& triangle = view.scene->triangles[set_up.triangles[index].id];
-      Corners corner;
-      for (std::size_t k = 0; k < 3; ++k) corner[k] = view.scene->positions[triangle.corners[k]];
-      keys[index] = sort_key(view, corner, key_);
-      if constexpr (Trace::active) {
+    const std::vector<double> keys = sort_keys(view, set_up, key_);
+    if constexpr (Trace::active) {
+      for (std::size_t index = 0; index < keys.size(); ++index) {
         trace.add({.kind = EventKind::key_given, .p = set_up.triangles[index].id, .value = keys[index]});
       }
     }
@@ -113,7 +72,7 @@ class Painter : public Renderer {
 
     // 3. Paint in that order.
     paint_in_order(view, set_up, order, {}, colors_, options, trace, report, frame);
-    if (frame.faces) frame.faces = painted_faces(view, set_up, order, colors_);
+    if (frame.faces) frame.faces = painted_triangles(view, set_up, order, colors_);
     report.bytes += keys.size() * (sizeof(double) + 2 * sizeof(std::uint32_t));
     return report;
   }

@@ -16,6 +16,11 @@ bool joins(const LineName& line, std::uint32_t p, std::uint32_t q) {
   return (line.p == p && line.q == q) || (line.p == q && line.q == p);
 }
 
+bool is_same(const LineName& one, const LineName& other) {
+  return one.same_line(other) ||
+         (one.kind == Kind::crossing && other.kind == one.kind && joins(other, one.p, one.q));
+}
+
 // Where the plane of s crosses those of p and q at one vertex, those of p and q cross as well.
 bool crosses_in_both(const LineName& line, const LineName& first, const LineName& second) {
   if (first.kind != Kind::crossing || second.kind != Kind::crossing) return false;
@@ -57,7 +62,7 @@ bool ExactRegion::in_plane(std::uint32_t id, std::uint32_t position) {
 // Whether a vertex lies on a line because of what they are, so that nothing need be computed.
 bool ExactRegion::passes_through(const LineName& name, const VertexName& vertex) const {
   if (vertex.is_corner()) return corner_on_line(name, vertex.position);
-  if (vertex.first.same_line(name) || vertex.second.same_line(name)) return true;
+  if (is_same(vertex.first, name) || is_same(vertex.second, name)) return true;
   return name.kind == Kind::crossing && crosses_in_both(name, vertex.first, vertex.second);
 }
 

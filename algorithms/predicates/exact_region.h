@@ -10,6 +10,19 @@
 
 namespace hsr {
 
+/// Which vertex of a region: a corner of a triangle, or the point where two lines meet.
+struct VertexName {
+  std::uint32_t position = RegionVertex::no_position;  ///< index into Scene::positions of a corner, or none
+  LineName first;   ///< otherwise the lines that meet, so that their cross product points towards what is
+  LineName second;  ///< seen (its third coordinate is > 0)
+
+  bool is_corner() const { return position != RegionVertex::no_position; }
+};
+
+inline VertexName name_of(const RegionVertex& vertex) {
+  return {vertex.position, vertex.first, vertex.second};
+}
+
 /// Answers about lines and vertices of regions in exact arithmetic, from their names alone: what filters
 /// ask when their doubles cannot settle a sign. An object keeps caches, so use one per thread. The scene
 /// must outlive it.

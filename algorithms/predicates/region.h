@@ -27,7 +27,6 @@ struct LineName {
   std::uint32_t q = background_id;
 
   bool same_line(const LineName& other) const {
-    if (kind == Kind::crossing && other.kind == kind && p == other.q && q == other.p) return true;
     return kind == other.kind && side == other.side && p == other.p && q == other.q;
   }
 };
@@ -38,19 +37,15 @@ struct RegionLine {
   Homogeneous<Bounded> f{};
 };
 
-/// Which corner of a region: a corner of a triangle, or the point where two lines meet.
-struct VertexName {
+/// A corner of a region: a corner of a triangle, or the point where two lines meet.
+struct RegionVertex {
   static constexpr std::uint32_t no_position = 4294967295U;
   std::uint32_t position = no_position;  ///< index into Scene::positions of a corner, or none
-  LineName first;                        ///< otherwise the lines that meet, so that their cross product
-  LineName second;                       ///< points towards what is seen (its third coordinate is > 0)
+  LineName first;                        ///< otherwise the lines that meet
+  LineName second;
+  Homogeneous<Bounded> point{};  ///< the sample (a, b) = (point[0], point[1]) / point[2]; point[2] > 0
 
   bool is_corner() const { return position != no_position; }
-};
-
-/// A corner of a region in doubles with bounds.
-struct RegionVertex : VertexName {
-  Homogeneous<Bounded> point{};  ///< the sample (a, b) = (point[0], point[1]) / point[2]; point[2] > 0
 };
 
 /// A convex, closed part of the picture, the projection of a flat polygon or of a piece of one. It may
@@ -60,12 +55,6 @@ struct Region {
   std::vector<RegionLine> lines;       ///< lines[k] bounds it from vertices[k] to the next one
 
   bool empty() const { return vertices.empty(); }
-};
-
-/// On which sides of a line a region has vertices.
-struct Sides {
-  bool positive = false;  ///< some vertex lies strictly inside
-  bool negative = false;  ///< some vertex lies strictly outside
 };
 
 }  // namespace hsr

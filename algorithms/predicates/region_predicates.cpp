@@ -187,7 +187,7 @@ int RegionPredicates::sign(const RegionLine& line, const RegionVertex& vertex) {
   const Bounded value = dot(line.f, vertex.point);
   if (method_ == SignMethod::epsilon) return customary_sign(line, vertex, value.value);
   const int certain = certain_sign(value);
-  return certain != 0 ? certain : exact_.sign(line.name, vertex);
+  return certain != 0 ? certain : exact_.sign(line.name, name_of(vertex));
 }
 
 int RegionPredicates::customary_sign(const RegionLine& line, const RegionVertex& vertex, double value) const {

@@ -15,6 +15,12 @@ namespace hsr {
 /// The same line with its sides exchanged.
 RegionLine turned(const RegionLine& line);
 
+/// On which sides of a line a region has vertices.
+struct Sides {
+  bool positive = false;  ///< some vertex lies strictly inside
+  bool negative = false;  ///< some vertex lies strictly outside
+};
+
 /// Bounds, in doubles, that surely enclose a region.
 struct RegionExtent {
   std::array<double, 2> a{};      ///< least and greatest sample coordinate a
