@@ -15,7 +15,7 @@ bool Cutter::break_cycles(std::vector<std::uint32_t>& members, std::vector<Edge>
   graph_.assign(static_cast<std::uint32_t>(count), edges);
   taken_.assign(count, false);
   parts_.resize(count);
-  for (std::uint32_t place = 0; place < count; ++place) parts_[place] = {place, Item::none};
+  for (std::uint32_t place = 0; place < count; ++place) parts_[place] = {.behind = place};
   bool any = false;
   for (std::uint32_t start = 0; start < count; ++start) {
     if (taken_[start]) continue;
@@ -53,12 +53,14 @@ bool Cutter::break_cycle(std::span<const std::uint32_t> cycle, std::vector<std::
   ++cuts_;
   members[best] = add_piece(whole, cutter, false);
   parts_[best].before = static_cast<std::uint32_t>(members.size());
+  parts_[best].by = best_by;
   members.push_back(add_piece(whole, cutter, true));
   return true;
 }
 
-// What a whole did not hide its parts do not hide, and what did not hide it does not hide them. The rest is
-// tested anew.
+// What a whole did not hide its parts do not hide, and what did not hide it does not hide them. Where it hid
+// the one by whose plane it was cut, the part before that plane does, and where that one hid it, it hides the
+// part behind. The rest is tested anew.
 void Cutter::follow_cuts(const std::vector<std::uint32_t>& members, std::vector<Edge>& edges) {
   new_edges_.clear();
   const auto add = [&](std::uint32_t from, std::uint32_t to) {
@@ -73,12 +75,16 @@ void Cutter::follow_cuts(const std::vector<std::uint32_t>& members, std::vector<
     const Parts to = parts_[edge.to];
     if (from.before == Item::none && to.before == Item::none) {
       new_edges_.push_back(edge);
-      continue;
+    } else if (from.by == edge.to) {
+      new_edges_.push_back({from.before, edge.to});
+    } else if (to.by == edge.from) {
+      new_edges_.push_back({edge.from, to.behind});
+    } else {
+      add(from.behind, to.behind);
+      add(from.behind, to.before);
+      add(from.before, to.behind);
+      add(from.before, to.before);
     }
-    add(from.behind, to.behind);
-    add(from.behind, to.before);
-    add(from.before, to.behind);
-    add(from.before, to.before);
   }
   edges.swap(new_edges_);
 }

@@ -40,6 +40,7 @@ class Cutter {
   struct Parts {
     std::uint32_t behind = Item::none;  // a place among the members, as those of edges
     std::uint32_t before = Item::none;  // none: not cut
+    std::uint32_t by = Item::none;      // whose plane it was cut by
   };
 
   bool break_cycle(std::span<const std::uint32_t> cycle, std::vector<std::uint32_t>& members);

@@ -34,14 +34,15 @@ void PairTest::prepare_triangle(std::uint32_t item, Prepared& prepared) const {
   prepared.has_edges = false;
   for (std::size_t k = 0; k < 3; ++k) {
     prepared.name[k] = items_[item].corner[k];
-    prepared.corner[k] = vertices_.clip[prepared.name[k]];
+    prepared.point[k] = vertices_.clip[prepared.name[k]];
+    prepared.corner[k] = DotOperand(prepared.point[k]);
   }
 }
 
 void PairTest::make_edges(Prepared& prepared) {
   if (prepared.has_edges) return;
   for (std::size_t k = 0; k < 3; ++k) {
-    prepared.edge[k] = cross(prepared.corner[k], prepared.corner[(k + 1) % 3]);
+    prepared.edge[k] = cross(prepared.point[k], prepared.point[(k + 1) % 3]);
   }
   prepared.has_edges = true;
 }
@@ -53,7 +54,7 @@ void PairTest::prepare_polygon(std::span<const Corner> corners, std::uint32_t no
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const bool is_corner = corners[k].name.is_corner();
     prepared.name[k] = is_corner ? corners[k].name.position : no_name - static_cast<std::uint32_t>(k);
-    prepared.corner[k] = corners[k].point;
+    prepared.corner[k] = DotOperand(corners[k].point);
     prepared.edge[k] = corners[k].line.f;
   }
 }
@@ -61,20 +62,24 @@ void PairTest::prepare_polygon(std::span<const Corner> corners, std::uint32_t no
 PairTest::Planes PairTest::triangle_planes(const FilteredVector& crossing, const Prepared& of,
                                            const Prepared& with) {
   Planes planes;
+  const DotSign sign(crossing);
   for (std::size_t k = 0; k < 3; ++k) {
     planes.zero[k] = of.name[k] == with.name[0] || of.name[k] == with.name[1] || of.name[k] == with.name[2];
     if (planes.zero[k]) continue;
-    planes.sign[k] = certain_sign(dot(crossing, of.corner[k]));
+    planes.sign[k] = sign(of.corner[k]);
     planes.none_negative = planes.none_negative && planes.sign[k] > 0;
     planes.none_positive = planes.none_positive && planes.sign[k] < 0;
   }
   return planes;
 }
 
-PairTest::Planes PairTest::polygon_planes(const Line& crossing, std::span<const Corner> corners) {
+PairTest::Planes PairTest::polygon_planes(const Line& crossing, std::span<const Corner> corners,
+                                          const Prepared& of) {
   Planes planes;
+  const DotSign sign(crossing.f);
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    planes.sign[k] = polygons_.sign(crossing, corners[k]);
+    planes.sign[k] = sign(of.corner[k]);
+    if (planes.sign[k] == 0) planes.sign[k] = polygons_.sign(crossing, corners[k]);
     planes.zero[k] = planes.sign[k] == 0;
     planes.none_negative = planes.none_negative && planes.sign[k] >= 0;
     planes.none_positive = planes.none_positive && planes.sign[k] <= 0;
@@ -85,50 +90,66 @@ PairTest::Planes PairTest::polygon_planes(const Line& crossing, std::span<const 
 // An edge that has all corners of the other outside, where those on its ends count as such, has nothing in
 // common with the other but an end, or itself; and there both are equally near.
 template <std::size_t N>
-PairTest::Signs PairTest::edge_signs(const Prepared& edges_of, const Prepared& corners_of) {
-  Signs signs;
+PairTest::Overlap PairTest::overlap(const Prepared& edges_of, const Prepared& corners_of) {
   const std::size_t edges = size<N>(edges_of);
   const std::size_t corners = size<N>(corners_of);
+  Overlap overlap = Overlap::certain;
   for (std::size_t k = 0; k < edges; ++k) {
     const std::uint32_t start = edges_of.name[k];
     const std::uint32_t end = edges_of.name[k + 1 < edges ? k + 1 : 0];
+    const DotSign sign(edges_of.edge[k]);
     bool some_inside = false;
     bool all_outside = true;
-    for (std::size_t j = 0; j < corners; ++j) {
-      signs.at[k][j] = 0;
+    for (std::size_t j = 0; j < corners && !some_inside; ++j) {
       if (corners_of.name[j] == start || corners_of.name[j] == end) continue;
-      const int sign = certain_sign(dot(edges_of.edge[k], corners_of.corner[j]));
-      signs.at[k][j] = sign;
-      some_inside = some_inside || sign > 0;
-      all_outside = all_outside && sign < 0;
+      const int side = sign(corners_of.corner[j]);
+      some_inside = side > 0;
+      all_outside = all_outside && side < 0;
     }
-    signs.apart = signs.apart || all_outside;
-    signs.overlap = signs.overlap && some_inside;
+    if (all_outside) return Overlap::apart;
+    if (!some_inside) overlap = Overlap::uncertain;
   }
-  return signs;
+  return overlap;
+}
+
+template <std::size_t N>
+void PairTest::find_signs(const Prepared& edges_of, const Prepared& corners_of, Signs& signs) {
+  const std::size_t edges = size<N>(edges_of);
+  for (std::size_t k = 0; k < edges; ++k) {
+    const std::uint32_t start = edges_of.name[k];
+    const std::uint32_t end = edges_of.name[k + 1 < edges ? k + 1 : 0];
+    const DotSign sign(edges_of.edge[k]);
+    for (std::size_t j = 0; j < size<N>(corners_of); ++j) {
+      const bool on_an_end = corners_of.name[j] == start || corners_of.name[j] == end;
+      signs[k][j] = on_an_end ? 0 : sign(corners_of.corner[j]);
+    }
+  }
 }
 
 template <std::size_t N>
 PairTest::Answer PairTest::overlap_answer(const FilteredVector& crossing, const Planes& p_planes,
                                           const Planes& q_planes, Prepared& p, Prepared& q) {
   if constexpr (N == 3) make_edges(p);
-  const Signs p_edges = edge_signs<N>(p, q);
-  if (p_edges.apart) return Answer::no;
+  const Overlap over_p = overlap<N>(p, q);
+  if (over_p == Overlap::apart) return Answer::no;
   if constexpr (N == 3) make_edges(q);
-  const Signs q_edges = edge_signs<N>(q, p);
-  if (q_edges.apart) return Answer::no;
-  if (!p_edges.overlap || !q_edges.overlap) return Answer::unsettled;
+  const Overlap over_q = overlap<N>(q, p);
+  if (over_q == Overlap::apart) return Answer::no;
+  if (over_p != Overlap::certain || over_q != Overlap::certain) return Answer::unsettled;
   // Every edge has some of the other one strictly inside, so what they have in common has an area. If P is
   // nowhere farther there, it is nearer somewhere, as the planes are not the same.
   if (p_planes.none_positive || q_planes.none_positive) return Answer::yes;
-  return common_corners<N>(crossing, p_planes, q_planes, p_edges, q_edges, p, q);
+  return common_corners<N>(crossing, p_planes, q_planes, p, q);
 }
 
 // Where both have a corner they are equally near; so are they where edges meet that both end there.
 template <std::size_t N>
 PairTest::Answer PairTest::common_corners(const FilteredVector& crossing, const Planes& p_planes,
-                                          const Planes& q_planes, const Signs& p_edges, const Signs& q_edges,
-                                          const Prepared& p, const Prepared& q) {
+                                          const Planes& q_planes, const Prepared& p, const Prepared& q) {
+  Signs p_edges;
+  Signs q_edges;
+  find_signs<N>(p, q, p_edges);
+  find_signs<N>(q, p, q_edges);
   const std::size_t p_size = size<N>(p);
   const std::size_t q_size = size<N>(q);
   bool certain = true;
@@ -137,7 +158,7 @@ PairTest::Answer PairTest::common_corners(const FilteredVector& crossing, const 
                                         std::size_t edge_count) {
     if (planes.zero[k]) return false;
     int inside = 1;
-    for (std::size_t edge = 0; edge < edge_count; ++edge) inside = std::min(inside, edges.at[edge][k]);
+    for (std::size_t edge = 0; edge < edge_count; ++edge) inside = std::min(inside, edges[edge][k]);
     certain = certain && (inside < 0 || planes.sign[k] > 0);
     return inside > 0 && planes.sign[k] < 0;
   };
@@ -152,8 +173,8 @@ PairTest::Answer PairTest::common_corners(const FilteredVector& crossing, const 
     const std::size_t i_end = i + 1 < p_size ? i + 1 : 0;
     for (std::size_t j = 0; j < q_size; ++j) {
       const std::size_t j_end = j + 1 < q_size ? j + 1 : 0;
-      const int p_ends = q_edges.at[j][i] * q_edges.at[j][i_end];
-      const int q_ends = p_edges.at[i][j] * p_edges.at[i][j_end];
+      const int p_ends = q_edges[j][i] * q_edges[j][i_end];
+      const int q_ends = p_edges[i][j] * p_edges[i][j_end];
       if (p_ends > 0 || q_ends > 0) continue;
       const bool meet_at_shared = p.name[i] == q.name[j] || p.name[i] == q.name[j_end] ||
                                   p.name[i_end] == q.name[j] || p.name[i_end] == q.name[j_end];
@@ -190,13 +211,13 @@ bool PairTest::polygons(std::uint32_t p, std::uint32_t q) {
   if (!is_usual(p_corners) || !is_usual(q_corners)) {
     return common_polygon(crossing, p_corners, q_corners);
   }
-  const Planes p_planes = polygon_planes(crossing, p_corners);
-  if (p_planes.none_negative) return false;
-  const Planes q_planes = polygon_planes(crossing, q_corners);
-  if (q_planes.none_negative) return false;
   constexpr std::uint32_t no_name = Item::none - 1;
   prepare_polygon(p_corners, no_name, p_polygon_);
+  const Planes p_planes = polygon_planes(crossing, p_corners, p_polygon_);
+  if (p_planes.none_negative) return false;
   prepare_polygon(q_corners, no_name - most_corners, q_polygon_);
+  const Planes q_planes = polygon_planes(crossing, q_corners, q_polygon_);
+  if (q_planes.none_negative) return false;
   const Answer answer = overlap_answer<0>(crossing.f, p_planes, q_planes, p_polygon_, q_polygon_);
   return answer == Answer::unsettled ? common_polygon(crossing, p_corners, q_corners) : answer == Answer::yes;
 }

@@ -43,8 +43,9 @@ class PairTest {
     std::size_t count = 0;
     bool has_edges = false;
     std::array<std::uint32_t, most_corners> name{};  // equal for corners that both outlines have
-    std::array<FilteredVector, most_corners> corner{};
+    std::array<DotOperand, most_corners> corner{};
     std::array<FilteredVector, most_corners> edge{};  // from corner k to the next; >= 0 inside
+    std::array<FilteredVector, 3> point{};            // the corners of a triangle, to make its edges
   };
   /// The corners of one against the other's plane.
   struct Planes {
@@ -53,11 +54,12 @@ class PairTest {
     bool none_negative = true;              // surely
     bool none_positive = true;
   };
-  /// The corners of one against the edges of the other.
-  struct Signs {
-    std::array<std::array<int, most_corners>, most_corners> at;  // by edge and corner; 0 also if uncertain
-    bool apart = false;                                          // some edge has all corners outside
-    bool overlap = true;                                         // every edge has some corner inside
+  /// The corners of one against the edges of the other, by edge and corner; 0 also where it is uncertain.
+  using Signs = std::array<std::array<int, most_corners>, most_corners>;
+  enum class Overlap : std::uint8_t {
+    apart,    // some edge has all corners of the other outside
+    certain,  // every edge has some corner of the other inside
+    uncertain
   };
 
   template <std::size_t N>
@@ -69,16 +71,17 @@ class PairTest {
   static void make_edges(Prepared& prepared);
   static void prepare_polygon(std::span<const Corner> corners, std::uint32_t no_name, Prepared& prepared);
   static Planes triangle_planes(const FilteredVector& crossing, const Prepared& of, const Prepared& with);
-  Planes polygon_planes(const Line& crossing, std::span<const Corner> corners);
+  Planes polygon_planes(const Line& crossing, std::span<const Corner> corners, const Prepared& of);
   template <std::size_t N>
-  static Signs edge_signs(const Prepared& edges_of, const Prepared& corners_of);
+  static Overlap overlap(const Prepared& edges_of, const Prepared& corners_of);
+  template <std::size_t N>
+  static void find_signs(const Prepared& edges_of, const Prepared& corners_of, Signs& signs);
   template <std::size_t N>
   static Answer overlap_answer(const FilteredVector& crossing, const Planes& p_planes, const Planes& q_planes,
                                Prepared& p, Prepared& q);
   template <std::size_t N>
   static Answer common_corners(const FilteredVector& crossing, const Planes& p_planes, const Planes& q_planes,
-                               const Signs& p_edges, const Signs& q_edges, const Prepared& p,
-                               const Prepared& q);
+                               const Prepared& p, const Prepared& q);
   Answer triangles(std::uint32_t p, std::uint32_t q);
   bool polygons(std::uint32_t p, std::uint32_t q);
   bool common_polygon(const Line& crossing, std::span<const Corner> p, std::span<const Corner> q);

@@ -62,6 +62,43 @@ inline Bounded dot(const FilteredVector& a, const FilteredVector& b) {
               FilteredVector::least_error};
 }
 
+/// A vector made ready to be multiplied with many others: the bound of a · b is
+///
+///   n(a) (e(b) + 4 v n(b)) + (n(b) + 3 e(b)) e(a),    with what belongs to b in brackets.
+struct DotOperand {
+  double x = 0.0;
+  double y = 0.0;
+  double w = 0.0;
+  double for_norm = 0.0;   ///< the first bracket
+  double for_error = 0.0;  ///< the second
+
+  DotOperand() = default;
+  explicit DotOperand(const FilteredVector& b) : x(b.x), y(b.y), w(b.w) {
+    const double size = b.sum_norm();
+    for_norm = (b.error + 4.0 * FilteredVector::v * size) * FilteredVector::slack;
+    for_error = (size + 3.0 * b.error) * FilteredVector::slack;
+  }
+};
+
+/// The other factor, for as many as there are.
+class DotSign {
+ public:
+  explicit DotSign(const FilteredVector& a) : a_(a), norm_(a.sum_norm()) {}
+
+  /// The sign of a · b: -1 or 1 where it is certain, otherwise 0.
+  int operator()(const DotOperand& b) const {
+    const double value = a_.x * b.x + a_.y * b.y + a_.w * b.w;
+    const double bound =
+        (norm_ * b.for_norm + a_.error * b.for_error) * FilteredVector::slack + FilteredVector::least_error;
+    if (value > bound) return 1;
+    return value < -bound ? -1 : 0;
+  }
+
+ private:
+  FilteredVector a_;
+  double norm_;
+};
+
 /// -1 or 1 where the sign is certain, otherwise 0.
 inline int certain_sign(const Bounded& value) {
   if (value.surely_positive()) return 1;
