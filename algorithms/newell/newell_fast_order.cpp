@@ -155,6 +155,8 @@ void PaintSequence::sort(const Progress& progress) {
       order_.insert(order_.end(), members_.begin(), members_.end());
     } else if (group.kind == GroupKind::unordered) {
       find_components_of(members_);
+    } else if (group.kind == GroupKind::crowded) {
+      divide();
     } else {
       break_component();
     }
@@ -249,25 +251,33 @@ void PaintSequence::push_components(std::span<const std::uint32_t> items, std::s
   }
 }
 
+// A crowded component is divided until so few are left that all may be compared with all.
+constexpr std::size_t crowd = 24;           // members
+constexpr std::size_t many_neighbours = 6;  // edges per member
+
 // 3. and 4.
 void PaintSequence::break_component() {
-  // A crowded component is divided until so few are left that all may be compared with all.
-  constexpr std::size_t crowd = 24;           // members
-  constexpr std::size_t many_neighbours = 6;  // edges per member
   ++counts_.components;
   counts_.largest_component = std::max<std::uint64_t>(counts_.largest_component, members_.size());
   for (const std::uint32_t item : members_) polygons_.materialize(items_[item]);
   const bool crowded = members_.size() > crowd && edges_.size() > many_neighbours * members_.size();
-  if (!crowded && cutter_.break_cycles(members_, edges_)) {
-    graph_.assign(static_cast<std::uint32_t>(members_.size()), edges_);
-    graph_.components(component_order_, component_sizes_);
-    push_components(members_, edges_, component_order_, component_sizes_);
+  if (crowded || !cutter_.break_cycles(members_, edges_)) {
+    divide();
     return;
   }
+  graph_.assign(static_cast<std::uint32_t>(members_.size()), edges_);
+  graph_.components(component_order_, component_sizes_);
+  push_components(members_, edges_, component_order_, component_sizes_);
+}
+
+void PaintSequence::divide() {
   const Cutter::Division& parts = cutter_.divide(members_);
-  push(GroupKind::unordered, parts.before);
+  const auto kind_of = [](const std::vector<std::uint32_t>& items) {
+    return items.size() > crowd ? GroupKind::crowded : GroupKind::unordered;
+  };
+  push(kind_of(parts.before), parts.before);
   push(GroupKind::ordered, parts.in_plane);
-  push(GroupKind::unordered, parts.behind);
+  push(kind_of(parts.behind), parts.behind);
 }
 
 void PaintSequence::outline(std::uint32_t item, std::vector<Corner>& result) {

@@ -73,7 +73,8 @@ class PaintSequence {
   enum class GroupKind : std::uint8_t {
     ordered,    // an order that can be painted
     unordered,  // nothing is known
-    component   // strongly connected, by edges that are known
+    component,  // strongly connected, by edges that are known
+    crowded     // a part of such a one that is to be divided again
   };
   /// The last `count` of those that wait, to be painted after all later groups, and the last edges.
   struct Group {
@@ -101,6 +102,7 @@ class PaintSequence {
                        std::span<const std::uint32_t> order, std::span<const std::uint32_t> sizes);
   void take(const Group& group);
   void break_component();
+  void divide();
 
   const View& view_;
   OrderSkips skips_;
