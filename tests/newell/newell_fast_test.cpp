@@ -111,7 +111,7 @@ TEST_CASE("newell: the fast version leaves out pairs whose extents are apart") {
   const View view = hsr::make_view(scene, *scene.camera, 80, 60);
   Frame frame(80, 60);
   const RenderReport report = report_of(view, frame);
-  CHECK(report.skipped.at("extents") > 1000);
+  CHECK(report.skipped.at("extents") > 300);
   CHECK(report.counters.at("pairs_considered") >=
         report.counters.at("pairs_tested") + report.skipped.at("extents"));
   CHECK(report.counters.at("pieces") > 1000);
