@@ -25,8 +25,10 @@
 
 #include "zbuffer/zbuffer_fast.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <limits>
 #include <mutex>
 
 #include "bands.h"
@@ -110,6 +112,9 @@ class FastZBuffer : public Renderer {
     parallel_for(options.threads, options.threads, [&](int) {
       TileFiller filler(how);
       TilePixels pixels;
+      TilePixels nothing;
+      std::ranges::fill(nothing.inverse_depth, std::numeric_limits<float>::infinity());
+      std::ranges::fill(nothing.id, background_id);
       std::vector<lanes::TileEntry> entries;
       for (int tile = next++; tile < grid.count() && going; tile = next++) {
         const int left = grid.left(tile);
@@ -118,11 +123,16 @@ class FastZBuffer : public Renderer {
             Band{top, top + lanes::tile_size, left, left + lanes::tile_size - 1}.within(window);
         if (box.empty()) continue;
         entries.clear();
+        entries.reserve(binned_.count(tile));
         binned_.for_each(tile, [&](const lanes::TileEntry& entry) { entries.push_back(entry); });
-        // 4. to 10.
-        filler.fill(left, top, entries, pixels);
-        // 11.
-        store_tile(how.instruction_set, how.raster, left, top, box, pixels, colors_, frame);
+        // 4. to 10., 11.
+        const TilePixels* shown = &nothing;
+        if (!entries.empty()) {
+          filler.fill(left, top, entries, pixels);
+          resolve_depths(how.instruction_set, how.raster, pixels);
+          shown = &pixels;
+        }
+        store_tile(how.instruction_set, left, top, box, *shown, colors_, frame);
         if (!report_progress(options.progress, "rendering", static_cast<double>(tile + 1) / grid.count())) {
           going = false;
         }

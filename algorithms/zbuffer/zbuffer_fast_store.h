@@ -10,9 +10,12 @@
 
 namespace hsr {
 
-/// Writes the pixels of a tile that lie in `box` to the frame: ids, eye depths, and colours out of the table
-/// `colors` by id unless the frame has none. (left, top) is the tile's upper left pixel.
-void store_tile(std::string_view instruction_set, const lanes::RasterView& raster, int left, int top,
-                const PixelBox& box, TilePixels& pixels, const std::vector<glm::vec4>& colors, Frame& frame);
+/// Turns depth_scale / depth of every pixel of a tile into its eye depth: infinity where there is nothing.
+void resolve_depths(std::string_view instruction_set, const lanes::RasterView& raster, TilePixels& pixels);
+
+/// Writes the pixels of a tile with resolved depths that lie in `box` to the frame: ids, depths, and colours
+/// out of the table `colors` by id unless the frame has none. (left, top) is the tile's upper left pixel.
+void store_tile(std::string_view instruction_set, int left, int top, const PixelBox& box,
+                const TilePixels& pixels, const std::vector<glm::vec4>& colors, Frame& frame);
 
 }  // namespace hsr
