@@ -86,6 +86,34 @@ void add_picture(CLI::App& app, PictureOptions& picture) {
       ->allow_extra_args(false);
 }
 
+/// A picture that is not made here.
+void add_elsewhere(CLI::App& app, ViewCommand& command) {
+  add_value(
+      app, "--picture", "FILE", [&command](const auto&, const auto& text) { command.picture_file = text; },
+      "Show the picture of a stream (hsr render --stream), with the same tools.");
+  add_value(
+      app, "--from", "COMMAND", [&command](const auto&, const auto& text) { command.picture_command = text; },
+      "Show the pictures that a program of yours writes: the command is run by the shell for every view and "
+      "writes such a stream to its standard output. It finds the view in its environment: HSR_SCENE, "
+      "HSR_SIZE (WxH), HSR_EYE, HSR_TARGET, HSR_UP (X,Y,Z), HSR_FOV, HSR_NEAR, HSR_FAR, "
+      "HSR_CLIP_FROM_WORLD (16 numbers row by row), and in HSR this program.");
+  add_value(
+      app, "--time-limit", "SECONDS",
+      [&command](const auto& option, const auto& text) {
+        command.limits.seconds = parse_number(option, text);
+        if (!(command.limits.seconds > 0.0)) throw UsageError(option + ": more than 0 is needed");
+      },
+      "How long the command may take for a picture (default 10).");
+  add_value(
+      app, "--memory-limit", "MB",
+      [&command](const auto& option, const auto& text) {
+        constexpr std::uint64_t megabyte = 1'000'000;
+        command.limits.memory =
+            megabyte * static_cast<std::uint64_t>(parse_whole_number(option, text, 1, 1'000'000));
+      },
+      "How much memory it may take (default 4000).");
+}
+
 void add_view(CLI::App& program, ViewCommand& command) {
   CLI::App& app = *program.add_subcommand(
       "view", "Open the viewer: toggle algorithms, look into pixels, step both ways.");
@@ -101,6 +129,7 @@ void add_view(CLI::App& program, ViewCommand& command) {
   add_file(app, "--script", "FILE", command.script,
            "Do what the file says, a line at a time, without a display; exit with 1 at the first expectation "
            "that fails.");
+  add_elsewhere(app, command);
   command.threads = all_cores();
   add_value(
       app, "--threads", "N",
@@ -142,6 +171,13 @@ void add_render(CLI::App& program, RenderCommand& command) {
       "Write the depth list of every pixel as a deep image: R, G, B, A, Z and id of every surface (abuffer, "
       "depthlist, raycast).");
   add_file(app, "--stats", "F.json", command.statistics, "Write camera, times, skipped work and memory.");
+  add_file(app, "--stream", "FILE|-", command.stream,
+           "Write the picture as a stream that the viewer reads (hsr view --picture): id, depth, colour and "
+           "camera; - is standard output, on which then is nothing else.");
+  add_value(
+      app, "--tell", "lists,steps",
+      [&command](const auto& option, const auto& text) { command.tell = parse_tell_choice(option, text); },
+      "What else the stream tells: the depth list of every pixel, and every step.");
   command.backdrop = parse_color("--backdrop", "#eeeeee");
   add_value(
       app, "--backdrop", "COLOUR",
@@ -360,6 +396,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (program.got_subcommand("export")) return export_command;
   if (program.got_subcommand("bench")) return bench;
   if (program.got_subcommand("list")) return list;
+  if (view.picture_file && view.picture_command)
+    throw UsageError("--picture and --from cannot both be given");
   return view;
 }
 

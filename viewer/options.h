@@ -10,7 +10,9 @@
 
 #include "algorithm.h"
 #include "bench/bench_options.h"
+#include "child_process.h"
 #include "predicates/pixel_box.h"
+#include "told_output.h"
 #include "values.h"
 
 namespace hsr {
@@ -41,6 +43,8 @@ struct RenderCommand {
   std::optional<std::filesystem::path> layers;
   std::optional<std::filesystem::path> deep;
   std::optional<std::filesystem::path> statistics;
+  std::optional<std::filesystem::path> stream;  ///< "-": standard output
+  TellChoice tell;
   glm::vec3 backdrop{1.0F};  ///< linear RGB
   int repeats = 1;
 };
@@ -92,6 +96,9 @@ struct ViewCommand {
   std::string scene;  ///< a scene or a state file; empty: where one left
   std::optional<AlgorithmSpec> algorithm;
   std::optional<std::filesystem::path> script;
+  std::optional<std::string> picture_file;     ///< shows the picture that it tells
+  std::optional<std::string> picture_command;  ///< or the one that this command writes for each view
+  ChildLimits limits;                          ///< of the command
   int threads = 1;
 };
 

@@ -72,7 +72,7 @@ class Listener {
 }  // namespace
 
 AllEvidence gather_evidence(const View& view, const AlgorithmSpec& spec, const RenderOptions& options,
-                            const std::vector<WrongPixel>& wrong) {
+                            const std::vector<WrongPixel>& wrong, const RendererMaker& maker) {
   AllEvidence all;
   all.pixels.resize(wrong.size());
   if (wrong.empty()) return all;
@@ -82,9 +82,14 @@ AllEvidence gather_evidence(const View& view, const AlgorithmSpec& spec, const R
   for (const Skip& skip : spec.algorithm->skips) of_wrong_pixels.skips_off.insert(std::string(skip.name));
   of_wrong_pixels.window = enclosing(wrong);
   Frame frame(view.width, view.height);
-  const auto renderer = spec.algorithm->prepare(*view.scene, spec.settings, options);
+  const auto renderer = maker ? maker() : spec.algorithm->prepare(*view.scene, spec.settings, options);
   renderer->trace(
-      view, of_wrong_pixels, [&](const Event& event) { listener.listen(event); }, frame);
+      view, of_wrong_pixels,
+      [&](const Event& event) {
+        all.heard = true;
+        listener.listen(event);
+      },
+      frame);
   return all;
 }
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "algorithm.h"
 
 namespace hsr {
+
+/// Makes the renderer of an algorithm that is in no catalogue.
+using RendererMaker = std::function<std::unique_ptr<Renderer>()>;
 
 /// A pixel that shows `shown` where `nearest` is the nearest.
 struct WrongPixel {
@@ -25,12 +30,14 @@ struct Evidence {
 
 /// The evidence for each wrong pixel, and the sort keys that the algorithm gave triangles.
 struct AllEvidence {
+  bool heard = false;                              ///< whether it told any step
   std::vector<Evidence> pixels;                    ///< as the wrong pixels
   std::unordered_map<std::uint32_t, double> keys;  ///< by id
 };
 
 /// Lets the algorithm run once more over the rectangle that holds the wrong pixels, and listens.
+/// `maker`, if given, makes its renderer.
 AllEvidence gather_evidence(const View& view, const AlgorithmSpec& spec, const RenderOptions& options,
-                            const std::vector<WrongPixel>& wrong);
+                            const std::vector<WrongPixel>& wrong, const RendererMaker& maker);
 
 }  // namespace hsr

@@ -34,12 +34,13 @@ struct PairProof {
 class Investigation {
  public:
   Investigation(const View& view, const AlgorithmSpec& spec, const RenderOptions& options, const Frame& frame,
-                const exact::ExactAnswer& exact, const exact::Nearest& nearest)
+                const exact::ExactAnswer& exact, const exact::Nearest& nearest, const RendererMaker& maker)
       : view_(view),
         spec_(spec),
         options_(options),
         frame_(frame),
         exact_(exact),
+        maker_(maker),
         nearest_(nearest),
         worker_(exact.worker()) {
     result_.pair_at.assign(frame.pixel_count(), background_id);
@@ -47,7 +48,7 @@ class Investigation {
 
   OrderingFailures run(const std::vector<glm::vec4>& colors) {
     const std::vector<WrongPixel> wrong = wrong_pixels();
-    const AllEvidence all = gather_evidence(view_, spec_, options_, wrong);
+    const AllEvidence all = gather_evidence(view_, spec_, options_, wrong, maker_);
     for (std::size_t place = 0; place < wrong.size(); ++place) {
       const WrongPixel& pixel = wrong[place];
       note(pixel, cause_of(pixel, all.pixels[place], all), all);
@@ -77,6 +78,7 @@ class Investigation {
   }
 
   Cause cause_of(const WrongPixel& pixel, const Evidence& evidence, const AllEvidence& all) {
+    if (!all.heard) return Cause::unknown;
     if (evidence.list_was_full) return Cause::list_overflow;
     const bool shown_covers = pixel.shown != background_id && worker_.covers(pixel.shown, pixel.i, pixel.j);
     if (!shown_covers || !evidence.met_nearest) return Cause::coverage_precision;
@@ -94,6 +96,7 @@ class Investigation {
     if (spec_.algorithm->traits.exact) {
       return right_by_default(pixel) ? Cause::depth_precision : Cause::unknown;
     }
+    if (maker_ && all.keys.empty()) return Cause::unknown;  // nobody knows what its order goes by
     const auto shown = all.keys.find(pixel.shown);
     const auto nearest = all.keys.find(pixel.nearest);
     if (shown == all.keys.end() || nearest == all.keys.end()) {
@@ -216,6 +219,7 @@ class Investigation {
   const RenderOptions& options_;
   const Frame& frame_;
   const exact::ExactAnswer& exact_;
+  const RendererMaker& maker_;
   const exact::Nearest& nearest_;
   exact::Worker worker_;
   OrderingFailures result_;
@@ -230,8 +234,9 @@ class Investigation {
 
 OrderingFailures find_failures(const View& view, const AlgorithmSpec& spec, const RenderOptions& options,
                                const Frame& frame, const exact::ExactAnswer& exact,
-                               const exact::Nearest& nearest, const std::vector<glm::vec4>& colors) {
-  return Investigation(view, spec, options, frame, exact, nearest).run(colors);
+                               const exact::Nearest& nearest, const std::vector<glm::vec4>& colors,
+                               const RendererMaker& maker) {
+  return Investigation(view, spec, options, frame, exact, nearest, maker).run(colors);
 }
 
 }  // namespace hsr

@@ -10,6 +10,7 @@
 #include "algorithm.h"
 #include "exact/exact_answer.h"
 #include "failures/cause.h"
+#include "failures/evidence.h"
 
 namespace hsr {
 
@@ -41,10 +42,12 @@ struct OrderingFailures {
 /// Finds the cause of every pixel of `frame` that shows an inadmissible triangle, nothing where
 /// something is, or something where nothing is, and of every wrong blend. `spec` made the frame of this
 /// view; `nearest` and `colors` come from `exact`. Each cause is proven: by the algorithm's own steps,
-/// told once more, by the segment where two triangles cross, or by a cycle in the exact depth lists.
+/// told once more (by the renderer of `maker`, if given: then `spec` is in no catalogue), by the segment
+/// where two triangles cross, or by a cycle in the exact depth lists.
 OrderingFailures find_failures(const View& view, const AlgorithmSpec& spec, const RenderOptions& options,
                                const Frame& frame, const exact::ExactAnswer& exact,
-                               const exact::Nearest& nearest, const std::vector<glm::vec4>& colors);
+                               const exact::Nearest& nearest, const std::vector<glm::vec4>& colors,
+                               const RendererMaker& maker = {});
 
 /// One sentence that names the pair, the cause and its proof.
 std::string sentence(const FailingPair& pair);

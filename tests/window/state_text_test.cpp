@@ -26,6 +26,8 @@ TEST_CASE("window: a state written as text and read again is the same text") {
   state.picture = Extent{640, 360};
   state.algorithm = parse_algorithm_spec("zbuffer[depth=unorm16,snap=4]");
   state.skips_off = {"off-screen"};
+  state.elsewhere = {Elsewhere::Kind::command, "my \"program\" --path a\\b # \n --all", true};
+  state.show_elsewhere = true;
   state.comparing = Comparing::side_by_side;
   state.other = parse_algorithm_spec("painter[key=mean]");
   state.wiper = 0.25F;
@@ -48,6 +50,9 @@ TEST_CASE("window: a state written as text and read again is the same text") {
   CHECK(state_text(read) == text);
   CHECK(read.scene == state.scene);
   CHECK(read.moved == state.moved);
+  REQUIRE(read.elsewhere);
+  CHECK(read.elsewhere->words == state.elsewhere->words);
+  CHECK(!read.elsewhere->allowed);  // a state that was read runs no command
   REQUIRE(read.camera);
   CHECK(read.camera->eye == state.camera->eye);
   CHECK(read.algorithm.text() == "zbuffer[depth=unorm16,snap=4]");

@@ -16,6 +16,7 @@
 #include "skip_choice.h"
 #include "statistics.h"
 #include "text_layout.h"
+#include "told_output.h"
 #include "view/shading.h"
 
 namespace hsr {
@@ -54,6 +55,9 @@ void check_outputs(const RenderCommand& command) {
   for (const auto& file : {command.png, command.layers, command.deep, command.statistics}) {
     if (file) require_place(*file);
   }
+  if (command.stream && command.stream != "-") require_place(*command.stream);
+  if ((command.tell.lists || command.tell.steps) && !command.stream)
+    throw UsageError("--tell says what --stream tells, which is not given");
   if (command.png) require_ending("--output", *command.png, {".png", ".svg"});
   if (is_vector(command.png)) require_faces(command);
   if (command.layers) require_ending("--layers", *command.layers, {".exr"});
@@ -116,7 +120,7 @@ void print_summary(const RenderCommand& command, const Statistics& statistics, s
       << milliseconds(statistics.load_ms) << ", prepare " << milliseconds(statistics.prepare_ms)
       << ", render " << milliseconds(statistics.render_ms);
   const char* separator = "; wrote ";
-  for (const auto& file : {command.png, command.layers, command.deep, command.statistics}) {
+  for (const auto& file : {command.png, command.layers, command.deep, command.statistics, command.stream}) {
     if (!file) continue;
     out << separator << file->string();
     separator = ", ";
@@ -168,7 +172,12 @@ void run(const RenderCommand& command, std::ostream& out) {
       loaded.milliseconds, prepare_ms, render_ms};
   if (command.deep) write_deep(command, *renderer, view, options);
   write_files(command, frame, statistics, bar.listener());
+  if (command.stream) {
+    const ToldPicture told = tell_picture(view, command.algorithm, *renderer, options, frame, command.tell);
+    write_told_picture(told, *command.stream, out);
+  }
   bar.erase();
+  if (command.stream == "-") return;  // whoever reads the picture can do without words
   print_summary(command, statistics, out);
   print_work(report, out);
 }

@@ -57,6 +57,16 @@ State chosen_state(const ViewCommand& command, const State& left) {
   return state;
 }
 
+/// Hands the app the state, and what is asked of pictures that are not made here.
+void begin(window::App& app, const ViewCommand& command, const State& state) {
+  window::Workbench& bench = app.session().bench;
+  bench.state = state;
+  bench.limits = command.limits;
+  using window::Elsewhere;
+  if (command.picture_file) bench.show_from({Elsewhere::Kind::file, *command.picture_file});
+  if (command.picture_command) bench.show_from({Elsewhere::Kind::command, *command.picture_command, true});
+}
+
 }  // namespace
 
 void run(const ViewCommand& command, std::ostream& out) {
@@ -64,7 +74,7 @@ void run(const ViewCommand& command, std::ostream& out) {
   if (command.script) {
     const State state = chosen_state(command, {});
     window::App app(size, true, command.threads);
-    app.session().bench.state = state;
+    begin(app, command, state);
     window::run_script(app, *command.script, out);
     return;
   }
@@ -72,7 +82,7 @@ void run(const ViewCommand& command, std::ostream& out) {
   const std::optional<State> left = kept_state(kept);
   const State state = chosen_state(command, left.value_or(State{}));
   window::App app(size, false, command.threads);
-  app.session().bench.state = state;
+  begin(app, command, state);
   app.session().key_card = !left;
   app.run();
   if (!kept.empty()) window::write_state_file(app.session().bench.state, kept);

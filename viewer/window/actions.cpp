@@ -41,6 +41,12 @@ void choose_algorithm(Session& session) {
   session.bench.select_algorithm(parse_algorithm_spec(all[Number - 1]->name));
 }
 
+void show_program(Session& session) {
+  State& state = session.bench.state;
+  if (!state.elsewhere) return session.tell("there is no other program: hsr view --from COMMAND names one");
+  state.show_elsewhere = !state.show_elsewhere;
+}
+
 void reset_camera(Session& session) {
   session.bench.state.camera.reset();
   session.bench.state.magnification = 1.0F;
@@ -83,6 +89,8 @@ constexpr std::array algorithm_actions = {
     Action{"", nullptr, SDLK_7, 0, choose_algorithm<7>},
     Action{"", nullptr, SDLK_8, 0, choose_algorithm<8>},
     Action{"", nullptr, SDLK_9, 0, choose_algorithm<9>},
+    Action{"0", "another program's picture (hsr view --from, --picture)", SDLK_0, 0, show_program},
+    Action{"F5", "run that program again", SDLK_F5, 0, [](Session& session) { session.bench.run_again(); }},
     Action{"/", "find a scene", SDLK_SLASH, 0, [](Session& session) { session.search_scene = true; }},
     Action{"C", "compare: wiper, side by side, blink, difference", SDLK_c, 0, next_comparison},
     Action{"O, Shift O", "overlay: next, previous", SDLK_o, 0, next_overlay},

@@ -32,6 +32,15 @@ struct MovedCorner {
   bool operator==(const MovedCorner&) const = default;
 };
 
+/// A picture that is not made here.
+struct Elsewhere {
+  enum class Kind : std::uint8_t { file, command };
+  Kind kind = Kind::file;
+  std::string words;     ///< the file's name, or what the shell is to run for each view
+  bool allowed = false;  ///< whether somebody here asked for the command; never so in a state that was read
+  bool operator==(const Elsewhere&) const = default;
+};
+
 /// Width and height of a picture in pixels, or of the window.
 struct Extent {
   int width = 0;
@@ -49,6 +58,8 @@ struct State {
 
   AlgorithmSpec algorithm = parse_algorithm_spec(default_algorithm().name);
   std::set<std::string, std::less<>> skips_off;
+  std::optional<Elsewhere> elsewhere;  ///< a picture from another process ...
+  bool show_elsewhere = false;         ///< ... in place of the algorithm's
 
   Comparing comparing = Comparing::off;
   std::optional<AlgorithmSpec> other;  ///< what is compared with; nothing: the exact answer

@@ -117,6 +117,21 @@ const std::array entries = {
           }},
     Entry{"algorithm", "SPEC", 1, false, [](const State& s) { return Lines{as_word(s.algorithm.text())}; },
           [](State& s, Words words) { s.algorithm = parse_algorithm_spec(words[0]); }},
+    Entry{"picture-from", "file or command, and its words", 2, false,
+          [](const State& s) {
+            if (!s.elsewhere) return Lines{};
+            const bool file = s.elsewhere->kind == Elsewhere::Kind::file;
+            return Lines{(file ? "file " : "command ") + as_word(s.elsewhere->words)};
+          },
+          [](State& s, Words words) {
+            static constexpr std::array<std::string_view, 2> kinds = {"file", "command"};
+            s.elsewhere.emplace();
+            read_name(s.elsewhere->kind, words[0], kinds);
+            s.elsewhere->words = words[1];
+          }},
+    Entry{"program", "on or off", 1, false,
+          [](const State& s) { return line_if(s.show_elsewhere, on_or_off(s.show_elsewhere)); },
+          [](State& s, Words words) { s.show_elsewhere = read_on_or_off(words[0]); }},
     Entry{"no-skip", "NAME", 1, true,
           [](const State& s) { return Lines(s.skips_off.begin(), s.skips_off.end()); },
           [](State& s, Words words) {

@@ -12,6 +12,7 @@ std::vector<std::string> split_words(std::string_view line, const std::string& p
   std::vector<std::string> words;
   bool in_quotes = false;
   bool in_word = false;
+  bool escaped = false;  // after a backslash in quotes
   for (const char letter : line) {
     if (letter == '\0') throw InputError(place + "this is no text");
     const bool space = letter == ' ' || letter == '\t' || letter == '\r';
@@ -22,7 +23,12 @@ std::vector<std::string> split_words(std::string_view line, const std::string& p
     }
     if (!in_word) words.emplace_back();
     in_word = true;
-    if (letter == '"') {
+    if (escaped) {
+      words.back() += letter == 'n' ? '\n' : letter;
+      escaped = false;
+    } else if (letter == '\\' && in_quotes) {
+      escaped = true;
+    } else if (letter == '"') {
       in_quotes = !in_quotes;
     } else {
       words.back() += letter;
@@ -50,8 +56,14 @@ std::vector<TextLine> split_lines(std::string_view text, const std::string& sour
 }
 
 std::string as_word(std::string_view word) {
-  const bool plain = !word.empty() && word.find_first_of(" \t#") == std::string_view::npos;
-  return plain ? std::string(word) : '"' + std::string(word) + '"';
+  const bool plain = !word.empty() && word.find_first_of(" \t\r\n#\"\\") == std::string_view::npos;
+  if (plain) return std::string(word);
+  std::string text = "\"";
+  for (const char letter : word) {
+    if (letter == '"' || letter == '\\') text += '\\';
+    text += letter == '\n' ? std::string("\\n") : std::string(1, letter);
+  }
+  return text + "\"";
 }
 
 }  // namespace hsr::window

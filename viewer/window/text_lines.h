@@ -6,7 +6,9 @@
 
 namespace hsr::window {
 
-/// One line of a script or of a state: its words, which stand between spaces or in double quotes.
+/// One line of a script or of a state: its words, which stand between spaces or in double quotes, within
+/// which
+/// \" is a quote, \\ a backslash and \n a line break.
 struct TextLine {
   int number = 0;  ///< from 1
   std::vector<std::string> words;

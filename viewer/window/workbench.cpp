@@ -1,8 +1,6 @@
 #include "window/workbench.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/trigonometric.hpp>
 #include <utility>
 
 namespace hsr::window {
@@ -10,21 +8,13 @@ namespace {
 
 /// How long the camera must rest before a picture in full size is begun.
 constexpr double rest_seconds = 0.15;
-/// What a picture may take while the camera moves, and how many times coarser it may be for that.
-constexpr double moving_ms = 40.0;
-constexpr int coarsest = 6;
-
-ViewKey coarser(ViewKey key, int times) {
-  key.size.width = std::max(1, key.size.width / times);
-  key.size.height = std::max(1, key.size.height / times);
-  return key;
-}
 
 }  // namespace
 
 Workbench::Workbench(std::function<void()> wake, int threads)
     : threads_(threads),
       model_lane_(wake),
+      file_lane_(wake),
       picture_lane_(wake),
       other_lane_(wake),
       truth_lane_(wake),
@@ -36,47 +26,6 @@ Workbench::Workbench(std::function<void()> wake, int threads)
       marks_lane_(wake),
       lengths_lane_(wake) {}
 
-template <class Self, class Visit>
-void Workbench::for_each_lane(Self& self, Visit visit) {
-  visit("scene", self.model_lane_);
-  visit("picture", self.picture_lane_);
-  visit("other picture", self.other_lane_);
-  visit("exact answer", self.truth_lane_);
-  visit("comparison", self.judgement_lane_);
-  visit("causes", self.causes_lane_);
-  visit("pixel", self.story_lane_);
-  visit("steps", self.trace_lane_);
-  visit("step", self.moment_lane_);
-  visit("marks", self.marks_lane_);
-  visit("lists", self.lengths_lane_);
-}
-
-Extent Workbench::picture_size() const { return state.picture.value_or(panel_); }
-
-Camera Workbench::camera() const { return state.camera.value_or(home_camera_); }
-
-void Workbench::find_home_camera() {
-  const Scene& scene = *model()->scene;
-  const double aspect = static_cast<double>(picture_size().width) / picture_size().height;
-  if (home_of_ == std::pair(model()->number, aspect)) return;
-  home_of_ = {model()->number, aspect};
-  home_camera_ = scene.camera ? *scene.camera : framing_camera(scene, aspect);
-  // The scenes' own cameras are meant for pictures at least this wide; a narrower one must not cut off more.
-  constexpr double narrowest = 16.0 / 9.0;
-  if (scene.camera && aspect < narrowest) {
-    const double half = glm::radians(home_camera_.vertical_fov_degrees) / 2.0;
-    home_camera_.vertical_fov_degrees = glm::degrees(2.0 * std::atan(std::tan(half) * narrowest / aspect));
-  }
-}
-
-ViewKey Workbench::view_key() const { return {model()->number, camera(), picture_size()}; }
-
-PictureKey Workbench::picture_key() const { return {view_key(), state.algorithm.text(), state.skips_off}; }
-
-std::string Workbench::other_name() const { return state.other ? state.other->text() : "exact answer"; }
-
-Surroundings Workbench::surroundings() const { return {model(), threads_}; }
-
 void Workbench::update(double seconds, Extent panel) {
   now_ = seconds;
   if (panel.width > 0 && panel.height > 0) fit_panel(panel);
@@ -84,6 +33,7 @@ void Workbench::update(double seconds, Extent panel) {
     unmoved_ = model()->scene;
     unmoved_name_ = model_lane_.result_key()->scene;
   }
+  (void)file_lane_.poll();
   if (picture_lane_.poll()) {
     ++pictures_made_;
     if (picture_lane_.result_key()->view.size == picture_size()) full_ms_ = picture()->render_ms;
@@ -133,28 +83,6 @@ void Workbench::want_model() {
       return make_model(key, number, unmoved, progress);
     };
   });
-}
-
-int Workbench::coarseness() const {
-  if (!settling_ || full_ms_ <= moving_ms) return 1;
-  return std::min(coarsest, static_cast<int>(std::ceil(std::sqrt(full_ms_ / moving_ms))));
-}
-
-void Workbench::want_pictures() {
-  PictureKey key = picture_key();
-  key.view = coarser(key.view, coarseness());
-  const auto make = [this](const PictureKey& wanted, const std::shared_ptr<PreparedRenderers>& prepared) {
-    return [wanted, prepared, given = surroundings()](const Progress& progress) {
-      return render_picture(wanted, given, *prepared, progress);
-    };
-  };
-  // A picture on its way is finished while the camera moves, or there would be none before it rests.
-  picture_lane_.want(key, !settling_, [&] { return make(key, prepared_); });
-  if (state.comparing == Comparing::off || !state.other) return;
-  PictureKey other_key = key;
-  other_key.algorithm = state.other->text();
-  other_key.skips_off.clear();
-  other_lane_.want(other_key, !settling_, [&] { return make(other_key, other_prepared_); });
 }
 
 void Workbench::want_truth() {
@@ -233,6 +161,7 @@ void Workbench::open_scene(const std::string& words) {
 
 void Workbench::select_algorithm(const AlgorithmSpec& spec) {
   state.algorithm = spec;
+  state.show_elsewhere = false;
   state.skips_off.clear();
 }
 
@@ -243,45 +172,6 @@ void Workbench::move_corner(std::uint32_t corner, const glm::vec3& position) {
   } else {
     state.moved.push_back({corner, position});
   }
-}
-
-bool Workbench::busy() const {
-  bool any = settling_;
-  for_each_lane(*this, [&any](const char*, const auto& lane) { any |= lane.busy(); });
-  return any;
-}
-
-void Workbench::cancel() {
-  for_each_lane(*this, [](const char*, auto& lane) { lane.give_up(); });
-}
-
-bool Workbench::cancelled() const {
-  bool any = false;
-  for_each_lane(*this, [&any](const char*, const auto& lane) { any |= lane.has_given_up(); });
-  return any;
-}
-
-void Workbench::retry() {
-  for_each_lane(*this, [](const char*, auto& lane) { lane.retry(); });
-}
-
-std::vector<Workbench::Running> Workbench::running() const {
-  std::vector<Running> pieces;
-  for_each_lane(*this, [&pieces](const char* what, const auto& lane) {
-    if (!lane.busy()) return;
-    const auto [stage, done] = lane.progress();
-    pieces.push_back({what, stage, done, lane.running_ms()});
-  });
-  return pieces;
-}
-
-std::vector<std::string> Workbench::problems() const {
-  std::vector<std::string> lines;
-  for_each_lane(*this, [&lines](const char*, const auto& lane) {
-    const std::string& error = lane.error();
-    if (!error.empty() && std::ranges::find(lines, error) == lines.end()) lines.push_back(error);
-  });
-  return lines;
 }
 
 }  // namespace hsr::window

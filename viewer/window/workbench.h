@@ -16,6 +16,13 @@
 
 namespace hsr::window {
 
+/// A file's picture, for a model.
+struct FileKey {
+  ElsewhereKey elsewhere;
+  std::uint64_t model = 0;
+  bool operator==(const FileKey&) const = default;
+};
+
 /// The viewer without its window: the state, and everything that is computed from it, in threads of its
 /// own. Panels change `state` and read the results; update() notices what changed and asks for what is
 /// missing. Results stay until newer ones are there, so each says what it is of.
@@ -25,6 +32,7 @@ class Workbench {
   Workbench(std::function<void()> wake, int threads);
 
   State state;
+  ChildLimits limits;  ///< of the command whose pictures are shown
 
   /// Takes over what is finished and begins what is missing. `seconds` is the time, from any beginning;
   /// `panel` how large a picture fits its place on the screen, in pixels.
@@ -42,6 +50,17 @@ class Workbench {
   ViewKey view_key() const;
   PictureKey picture_key() const;
   std::string other_name() const;
+  /// What makes the picture: the algorithm with its settings, or "program".
+  std::string maker_name() const;
+
+  /// Shows the pictures of a file or of a command from now on.
+  void show_from(const Elsewhere& elsewhere);
+  /// Whether the picture is not made here.
+  bool shows_elsewhere() const { return state.show_elsewhere && state.elsewhere; }
+  /// Reads the file again, or runs the command again.
+  void run_again();
+  /// Why there is no picture from there; empty if there is one, or it is on its way.
+  std::string elsewhere_problem() const;
 
   /// The algorithm's picture; maybe of an earlier state.
   std::shared_ptr<const Rendered> picture() const { return picture_lane_.result(); }
@@ -106,6 +125,7 @@ class Workbench {
   Surroundings surroundings() const;
   void fit_panel(Extent panel);
   bool model_is_current() const;
+  std::shared_ptr<const FromElsewhere> file() const;
   void find_home_camera();
   void want_model();
   /// Calls visit(what, lane) for every lane.
@@ -141,7 +161,10 @@ class Workbench {
   std::shared_ptr<const Scene> unmoved_;  // the scene as it was read
   std::string unmoved_name_;
 
+  std::uint64_t runs_ = 0;  // how often the picture from elsewhere was asked for anew
+
   Lane<ModelKey, Model> model_lane_;
+  Lane<FileKey, FromElsewhere> file_lane_;
   Lane<PictureKey, Rendered> picture_lane_;
   Lane<PictureKey, Rendered> other_lane_;
   Lane<ViewKey, Truth> truth_lane_;

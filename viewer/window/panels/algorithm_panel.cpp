@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "text_layout.h"
 #include "window/panels/algorithm_settings.h"
 #include "window/panels/panels.h"
 
@@ -45,7 +46,43 @@ void draw_settings(Ui& ui, AlgorithmSpec& spec) {
   }
 }
 
+namespace {
+
+/// What is to be said of a program whose pictures are shown.
+void draw_program(Ui& ui, Session& session) {
+  Workbench& bench = session.bench;
+  Elsewhere& elsewhere = *bench.state.elsewhere;
+  const bool command = elsewhere.kind == Elsewhere::Kind::command;
+  ui.paragraph(command ? "Another program's picture" : "The picture of a file");
+  ui.faint_paragraph(elsewhere.words);
+  if (command && !elsewhere.allowed) {
+    ui.colored_paragraph(ui.palette.warn, "This state wants to run the command above.");
+    if (ui.button("Run it", "Only if you know what it does")) elsewhere.allowed = true;
+    return;
+  }
+  if (ui.button(command ? "Run again" : "Read again", "F5")) bench.run_again();
+  if (command) {
+    ui.faint_paragraph("It may take " + significant(bench.limits.seconds, 3) + " s and " +
+                       grouped(bench.limits.memory / 1'000'000) + " MB.");
+  }
+  if (bench.busy() && !bench.picture_is_current()) {
+    ui.faint_paragraph("no picture yet");
+  } else if (const std::string problem = bench.elsewhere_problem(); !problem.empty()) {
+    ui.colored_paragraph(ui.palette.bad, "\xE2\x9C\x97 " + problem);
+  } else if (const auto picture = bench.picture(); picture && picture->told) {
+    const ToldPicture& told = picture->told->picture;
+    std::string parts = "It tells id and depth";
+    if (told.frame.lists) parts += ", lists";
+    parts += told.tells_steps ? ", " + counted(told.steps.size(), "step") + "." : ", no steps.";
+    ui.faint_paragraph(parts);
+    if (!picture->told->said.empty()) ui.faint_paragraph(picture->told->said);
+  }
+}
+
+}  // namespace
+
 void draw_algorithm_panel(Ui& ui, Session& session) {
+  if (session.bench.shows_elsewhere()) return draw_program(ui, session);
   AlgorithmSpec& spec = session.bench.state.algorithm;
   ui.paragraph(std::string(spec.algorithm->title));
   ui.faint_paragraph(std::string(spec.algorithm->idea));

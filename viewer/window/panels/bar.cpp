@@ -17,10 +17,21 @@ std::string tip_of(const Algorithm& algorithm) {
   return std::string(algorithm.title) + ". " + std::string(algorithm.idea);
 }
 
+constexpr const char* program_label = "0 program";
+
+void draw_program_button(Ui& ui, Session& session) {
+  State& state = session.bench.state;
+  if (!state.elsewhere) return;
+  if (ui.toggle(program_label, state.show_elsewhere, "The picture of another program, or of a file (0)"))
+    state.show_elsewhere = !state.show_elsewhere;
+  ImGui::SameLine();
+}
+
 void draw_algorithm_buttons(Ui& ui, Session& session) {
   const auto algorithms = algorithm_catalog();
   for (std::size_t k = 0; k < algorithms.size(); ++k) {
-    const bool chosen = session.bench.state.algorithm.algorithm == algorithms[k];
+    const bool chosen =
+        session.bench.state.algorithm.algorithm == algorithms[k] && !session.bench.state.show_elsewhere;
     if (ui.toggle(label_of(k).c_str(), chosen, tip_of(*algorithms[k]))) {
       session.bench.select_algorithm(parse_algorithm_spec(algorithms[k]->name));
     }
@@ -61,7 +72,9 @@ void draw_bar(Ui& ui, Session& session, const Area& area) {
   ui.begin_panel("bar", area.corner, area.size,
                  ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollbar);
   const float width = ImGui::CalcTextSize("Steps Outside Lecture Light Keys").x + 6.5F * ui.em;
-  if (buttons_width() + width < ImGui::GetWindowWidth()) {
+  draw_program_button(ui, session);
+  const float program = state.elsewhere ? ImGui::GetCursorPosX() : 0.0F;
+  if (program + buttons_width() + width < ImGui::GetWindowWidth()) {
     draw_algorithm_buttons(ui, session);
   } else {
     draw_algorithm_list(ui, session);

@@ -45,7 +45,8 @@ void draw_causes(Ui& ui, Session& session) {
 void draw_counts(Ui& ui, Session& session) {
   const auto judgement = session.bench.judgement();
   if (!judgement) {
-    if (session.bench.state.check) ui.faint_paragraph("the exact answer is on its way");
+    if (session.bench.state.check && session.bench.picture_is_current())
+      ui.faint_paragraph("the exact answer is on its way");
     return;
   }
   const exact::Errors& errors = judgement->errors;

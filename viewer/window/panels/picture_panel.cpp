@@ -127,7 +127,7 @@ std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session
   } else {
     show(session, session.shown_picture, picture, picture->frame);
   }
-  const std::string own = state.algorithm.text();
+  const std::string own = bench.maker_name();
   const auto place = [&](const Area& where) {
     return place_picture(where, size, state.magnification, state.centre);
   };

@@ -28,7 +28,7 @@ std::string picture_line(Session& session) {
   const auto picture = bench.picture();
   if (!picture) return {};
   const Extent size = bench.picture_size();
-  std::string line = bench.state.algorithm.text() + ", " + std::to_string(size.width) + " x " +
+  std::string line = bench.maker_name() + ", " + std::to_string(size.width) + " x " +
                      std::to_string(size.height) + ", " + milliseconds(picture->render_ms);
   if (const auto judgement = bench.judgement()) {
     const exact::Errors& errors = judgement->errors;

@@ -33,7 +33,9 @@ std::string words_of(std::string name) {
 void draw_work_panel(Ui& ui, Session& session) {
   State& state = session.bench.state;
   const auto picture = session.bench.picture();
-  for (const Skip& skip : state.algorithm.algorithm->skips) {
+  const std::span<const Skip> skips =
+      session.bench.shows_elsewhere() ? std::span<const Skip>() : state.algorithm.algorithm->skips;
+  for (const Skip& skip : skips) {
     bool used = !state.skips_off.contains(skip.name);
     std::string label = "skip " + std::string(skip.name);
     if (ui.checkbox(label.c_str(), used, std::string(skip.meaning))) {

@@ -9,6 +9,7 @@ Model make_model(const ModelKey& key, std::uint64_t number, const std::shared_pt
   const Stopwatch stopwatch;
   Model model;
   model.number = number;
+  model.key = key;
   ReadReport report;
   Scene scene = unmoved ? *unmoved : open_scene(key.scene, report, progress);
   for (const MovedCorner& moved : key.moved) {

@@ -22,6 +22,7 @@ struct ModelKey {
 /// A scene in memory, and what every view of it needs.
 struct Model {
   std::uint64_t number = 0;  ///< no two models of a run have the same
+  ModelKey key;
   std::shared_ptr<const Scene> scene;
   std::vector<std::string> warnings;
   BoundingSphere sphere;

@@ -36,12 +36,46 @@ PreparedRenderers::Entry& PreparedRenderers::get(const Model& model, const Pictu
   return entries_.front();
 }
 
+AlgorithmSpec spec_of(const PictureKey& key) {
+  return key.elsewhere ? program_spec() : parse_algorithm_spec(key.algorithm);
+}
+
 View view_of(const Surroundings& given, const ViewKey& key) {
   return make_view(*given.model->scene, key.camera, key.size.width, key.size.height);
 }
 
+namespace {
+
+/// Throws InputError unless the file's picture is one of this view.
+void require_same_view(const ToldPicture& picture, const View& view) {
+  const bool same_size = picture.frame.width == view.width && picture.frame.height == view.height;
+  const bool same_view =
+      !picture.view || *picture.view == ToldView{view.camera, view.near_depth, view.far_depth};
+  if (!same_size || !same_view)
+    throw InputError("the picture of the file is one of another view (R goes back to it)");
+}
+
+Rendered picture_from_elsewhere(const PictureKey& key, const Surroundings& given, const Progress& progress) {
+  Rendered rendered;
+  rendered.scene = given.model->scene;
+  rendered.view = view_of(given, key.view);
+  if (key.elsewhere->source.kind == Elsewhere::Kind::file) {
+    rendered.told = given.told;
+    require_same_view(given.told->picture, rendered.view);
+  } else {
+    rendered.told = std::make_shared<const FromElsewhere>(
+        run_elsewhere(*key.elsewhere, *given.model, rendered.view, given.limits, progress));
+    rendered.render_ms = 1000.0 * rendered.told->seconds;
+  }
+  rendered.frame = rendered.told->picture.frame;
+  return rendered;
+}
+
+}  // namespace
+
 Rendered render_picture(const PictureKey& key, const Surroundings& given, PreparedRenderers& prepared,
                         const Progress& progress) {
+  if (key.elsewhere) return picture_from_elsewhere(key, given, progress);
   Rendered rendered;
   rendered.scene = given.model->scene;
   rendered.view = view_of(given, key.view);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algorithm.h"
+#include "window/results/elsewhere.h"
 #include "window/results/model.h"
 
 namespace hsr::window {
@@ -15,6 +16,7 @@ struct PictureKey {
   ViewKey view;
   std::string algorithm;  ///< with its settings, AlgorithmSpec::text
   std::set<std::string, std::less<>> skips_off;
+  std::optional<ElsewhereKey> elsewhere;  ///< then made by another process
   bool operator==(const PictureKey&) const = default;
 };
 
@@ -26,7 +28,11 @@ struct Rendered {
   RenderReport report;
   double prepare_ms = 0.0;  ///< what no camera changes; 0 if it was done for an earlier picture
   double render_ms = 0.0;
+  std::shared_ptr<const FromElsewhere> told;  ///< null if it was made here
 };
+
+/// The algorithm that makes the picture, with its settings.
+AlgorithmSpec spec_of(const PictureKey& key);
 
 /// Renderers that were prepared for a scene, the last few of them: another camera does not need another
 /// hierarchy. For one thread at a time.
@@ -52,6 +58,8 @@ class PreparedRenderers {
 struct Surroundings {
   std::shared_ptr<const Model> model;
   int threads = 1;
+  ChildLimits limits = {};
+  std::shared_ptr<const FromElsewhere> told = nullptr;  ///< the picture in question, if it is from elsewhere
 };
 
 /// The view that a key means. Throws UsageError.

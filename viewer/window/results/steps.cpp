@@ -43,9 +43,10 @@ Trace make_trace(const TraceKey& key, const Surroundings& given, const Progress&
   trace.scene = given.model->scene;
   trace.view = view_of(given, key.picture.view);
   RenderOptions options = {1, key.picture.skips_off, progress};
-  const AlgorithmSpec spec = parse_algorithm_spec(key.picture.algorithm);
+  const AlgorithmSpec spec = spec_of(key.picture);
   const auto shared = std::make_shared<SharedRenderer>();
-  shared->renderer = spec.algorithm->prepare(*trace.scene, spec.settings, options);
+  shared->renderer =
+      given.told ? told_renderer(given.told) : spec.algorithm->prepare(*trace.scene, spec.settings, options);
   if (key.of == StepsOf::pixel) options.window = PixelBox{key.pixel.x, key.pixel.x, key.pixel.y, key.pixel.y};
   options.progress = {};  // a later run must not be stopped by what stops this one
   const TracedRun all = [shared, scene = trace.scene, view = trace.view,

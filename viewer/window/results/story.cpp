@@ -38,6 +38,30 @@ void find_own_order(Story& story) {
   }
 }
 
+/// The order of the list that was told in place of steps.
+void find_told_order(Story& story, const Frame& frame) {
+  if (!frame.lists) return;
+  const std::size_t pixel = frame.index(story.pixel.i, story.pixel.j);
+  for (std::size_t k = frame.lists->begin[pixel]; k < frame.lists->begin[pixel + 1]; ++k) {
+    const auto found =
+        std::ranges::find(story.pixel.list, frame.lists->fragments[k].id, &exact::Fragment::id);
+    if (found != story.pixel.list.end())
+      story.own_order.push_back(static_cast<std::uint32_t>(found - story.pixel.list.begin()));
+  }
+}
+
+/// Why the pixel has its colour, as far as that is known of a program that tells no steps.
+std::string explain_silent(const PixelStory& pixel) {
+  const std::string shown = pixel.id == background_id ? "nothing" : "triangle " + std::to_string(pixel.id);
+  if (!pixel.covered() && pixel.id == background_id) return "Right: nothing covers the pixel's centre.";
+  if (!pixel.covered()) return "Wrong: " + shown + " is shown, although nothing covers the pixel's centre.";
+  if (pixel.admissible(pixel.id)) return "Right: " + shown + " is shown, the nearest here.";
+  const exact::Fragment& nearest = pixel.list.front();
+  return "Wrong: " + shown + " is shown, although triangle " + std::to_string(nearest.id) +
+         " lies here at depth " + tell_apart(nearest.depth, nearest.depth).value +
+         "; the program tells no steps, so why is not known.";
+}
+
 void accumulate(Story& story) {
   glm::vec4 seen(0.0F);
   for (const exact::Fragment& fragment : story.pixel.list) {
@@ -67,14 +91,21 @@ Story tell_story(const StoryKey& key, const Surroundings& given, PreparedRendere
   story.scene = given.model->scene;
   story.view = view_of(given, key.picture.view);
   const RenderOptions options = {given.threads, key.picture.skips_off, progress};
-  Renderer& renderer = *prepared.get(*given.model, key.picture, options).renderer;
+  const auto from_elsewhere = given.told ? told_renderer(given.told) : nullptr;
+  Renderer& renderer =
+      from_elsewhere ? *from_elsewhere : *prepared.get(*given.model, key.picture, options).renderer;
   story.pixel = tell_pixel(story.view, renderer, options, key.pixel.x, key.pixel.y);
   if (!report_progress(progress, "looking into the pixel", 1.0)) throw InputError("stopped");
-  const AlgorithmSpec spec = parse_algorithm_spec(key.picture.algorithm);
-  story.explanation = explanation(story.view, spec, story.pixel);
+  const AlgorithmSpec spec = spec_of(key.picture);
+  const bool silent = given.told && !given.told->picture.tells_steps;
+  story.explanation = silent ? explain_silent(story.pixel) : explanation(story.view, spec, story.pixel);
   story.fronts = fronts(story.view, story.pixel.list);
   accumulate(story);
-  find_own_order(story);
+  if (silent) {
+    find_told_order(story, given.told->picture.frame);
+  } else {
+    find_own_order(story);
+  }
   write_history(story);
   story.text = to_text(story.pixel, story.view, spec);
   story.milliseconds = stopwatch.milliseconds();

@@ -65,10 +65,12 @@ Judgement judge(const Rendered& rendered, const Truth& truth, const Progress& pr
 
 OrderingFailures find_causes(const PictureKey& key, const Surroundings& given, const Rendered& rendered,
                              const Truth& truth, const Progress& progress) {
-  const AlgorithmSpec spec = parse_algorithm_spec(key.algorithm);
+  const AlgorithmSpec spec = spec_of(key);
   const RenderOptions options = {given.threads, key.skips_off, progress};
+  RendererMaker maker;
+  if (rendered.told) maker = [&rendered] { return told_renderer(rendered.told); };
   OrderingFailures failures = find_failures(truth.view, spec, options, rendered.frame, *truth.answer,
-                                            truth.nearest, truth.frame.color);
+                                            truth.nearest, truth.frame.color, maker);
   require_going(progress, "finding causes");
   return failures;
 }

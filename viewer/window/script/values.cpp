@@ -44,6 +44,7 @@ std::size_t index_of(const Session& session) {
 const std::array values = {
     NamedValue{"scene", [](const Session& s) -> ScriptValue { return s.bench.state.scene; }},
     NamedValue{"algorithm", [](const Session& s) -> ScriptValue { return s.bench.state.algorithm.text(); }},
+    NamedValue{"maker", [](const Session& s) -> ScriptValue { return s.bench.maker_name(); }},
     NamedValue{"compare",
                [](const Session& s) -> ScriptValue {
                  return std::string(comparing_names()[static_cast<std::size_t>(s.bench.state.comparing)]);
