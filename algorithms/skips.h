@@ -27,10 +27,14 @@ inline RenderOptions options_for_faces(const RenderOptions& options, const Frame
 
 /// Sets up the view's triangles as the options allow and reports what was left out. Samples lie no
 /// farther than `sample_reach` pixels from the centre of theirs, right, left, up or down.
+///
+/// With a window, only the triangles that reach it: for algorithms all of whose steps are about pixels that
+/// a triangle covers.
 inline ScreenTriangles set_up_with_skips(const View& view, const RenderOptions& options, RenderReport& report,
-                                         double sample_reach = 0.0) {
+                                         double sample_reach = 0.0,
+                                         const std::optional<PixelBox>& window = std::nullopt) {
   const ScreenSkips skips = {options.uses(off_screen_skip.name), options.uses(between_centres_skip.name)};
-  ScreenTriangles set_up = set_up_screen_triangles(view, skips, options.threads, sample_reach);
+  ScreenTriangles set_up = set_up_screen_triangles(view, skips, options.threads, sample_reach, window);
   report.skipped[std::string(off_screen_skip.name)] = set_up.off_screen;
   report.skipped[std::string(between_centres_skip.name)] = set_up.between_centres;
   report.counters["exact_evaluations"] = set_up.exact_evaluations;

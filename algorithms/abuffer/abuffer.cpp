@@ -106,7 +106,7 @@ class ABuffer : public Renderer {
     // In one band the steps come triangle by triangle.
     constexpr int bands_per_thread = Trace::active ? 1 : 4;
     RenderReport report;
-    const ScreenTriangles set_up = set_up_with_skips(view, options, report, pattern_.reach());
+    const ScreenTriangles set_up = set_up_with_skips(view, options, report, pattern_.reach(), options.window);
     ListCollector lists(frame);
     // What is hidden takes up room where that is limited, and counts in an estimate by depth ranges.
     const bool may_drop = !lists.wanted() && !limit_ && intersections_ != Intersections::by_depth_range;

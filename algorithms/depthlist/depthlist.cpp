@@ -71,7 +71,7 @@ class DepthLists : public Renderer {
     // In one band the steps come triangle by triangle.
     constexpr int bands_per_thread = Trace::active ? 1 : 4;
     RenderReport report;
-    const ScreenTriangles set_up = set_up_with_skips(view, options, report);
+    const ScreenTriangles set_up = set_up_with_skips(view, options, report, 0.0, options.window);
     ListCollector lists(frame);
     const bool drop_hidden = options.uses(hidden_skip.name) && !lists.wanted();
     const ListCounts counts = for_each_band(view, options, bands_per_thread, [&](const Band& band) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "exact/depth_list.h"
 #include "predicates/sample_predicates.h"
@@ -18,6 +19,21 @@ glm::vec4 color_of_list(const Scene& scene, const std::vector<exact::Fragment>& 
     if (!fragment.tied) color = over(color, surface_color(scene, fragment.id));
   }
   return color;
+}
+
+/// The same run without making it again: its steps are kept, up to a bound on memory.
+TracedRun kept(const TracedRun& run) {
+  constexpr std::size_t most = 1'000'000;  // 72 MB
+  const auto steps = std::make_shared<std::vector<Event>>();
+  bool all = true;
+  run([&](const Event& event) {
+    all = all && steps->size() < most;
+    if (all) steps->push_back(event);
+  });
+  if (!all) return run;
+  return [steps](const EventListener& listener) {
+    for (const Event& event : *steps) listener(event);
+  };
 }
 
 /// Gathers the history and the departure, with each step that the filter wants counted once.
@@ -59,15 +75,15 @@ PixelStory tell_pixel(const View& view, Renderer& renderer, const RenderOptions&
   story.list = exact::depth_list(view, i, j);
   story.exact_color = color_of_list(*view.scene, story.list);
 
-  Frame frame(view.width, view.height);
+  Frame frame;
   RenderOptions pixel_options = options;
   pixel_options.window = PixelBox{i, i, j, j};
-  const TracedRun run = [&](const EventListener& listener) {
+  const TracedRun run = kept([&](const EventListener& listener) {
+    frame = Frame(view.width, view.height);
     renderer.trace(view, pixel_options, listener, frame);
-  };
+  });
   EventFilter filter = {.window = pixel_options.window};
   filter.among = triangles_at(run, *filter.window, *view.scene);
-  frame = Frame(view.width, view.height);
   record_history(run, filter, story);
   const std::size_t pixel = frame.index(i, j);
   story.id = frame.id[pixel];

@@ -17,6 +17,7 @@
 
 #include "raycast/raycast.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
@@ -78,6 +79,14 @@ struct WithoutCutoff {
   static double cutoff() { return std::numeric_limits<double>::infinity(); }
 };
 
+// Keeps the triangles that a ray would be tested against if nothing was ever too far away.
+struct CandidateCollector {
+  static constexpr bool traced = false;
+  std::vector<std::uint32_t> ids;
+  void test(std::uint32_t id) { ids.push_back(id); }
+  static double cutoff() { return std::numeric_limits<double>::infinity(); }
+};
+
 class RayCaster : public Renderer {
  public:
   RayCaster(const Scene& scene, const Settings& chosen, const RenderOptions& options)
@@ -107,7 +116,7 @@ class RayCaster : public Renderer {
     report.counters["rays"] = frame.pixel_count();
     const bool all_hits = frame.lists.has_value() || !all_opaque_;
     if (test_ == "exact") {
-      const ScreenTriangles set_up = set_up_with_skips(view, options, report);
+      const ScreenTriangles set_up = set_up_for(view, options, report);
       std::vector<std::uint32_t> place(view.scene->triangles.size(), background_id);
       for (std::uint32_t index = 0; index < set_up.triangles.size(); ++index) {
         place[set_up.triangles[index].id] = index;
@@ -133,6 +142,36 @@ class RayCaster : public Renderer {
       }
     }
     return report;
+  }
+
+  // The triangles that rays may be tested against. For a few pixels, as when somebody looks into one, those
+  // in the boxes that their rays enter: all others would take far longer than the rays themselves.
+  ScreenTriangles set_up_for(const View& view, const RenderOptions& options, RenderReport& report) const {
+    constexpr int few = 64;
+    const bool listed = options.window && !hierarchy_.empty() &&
+                        (options.window->last_i - options.window->first_i + 1) *
+                                (options.window->last_j - options.window->first_j + 1) <=
+                            few;
+    if (!listed) return set_up_with_skips(view, options, report);
+    const ScreenSkips used = {options.uses(off_screen_skip.name), options.uses(between_centres_skip.name)};
+    return set_up_listed_triangles(view, used, candidates(view, *options.window));
+  }
+
+  // Every triangle in the leaves that the rays of a window enter.
+  std::vector<std::uint32_t> candidates(const View& view, const PixelBox& window) const {
+    CandidateCollector collector;
+    const EyeRays rays(view);
+    const double widened =
+        BvhTraversal::widened_margin(hierarchy_, rays.margin() + margin_of_test(view, rays));
+    BvhTraversal traversal(hierarchy_, widened, view.near_depth, view.far_depth);
+    for (int j = window.first_j; j <= window.last_j; ++j) {
+      for (int i = window.first_i; i <= window.last_i; ++i)
+        traversal.visit(rays.through(centre_a(view.width, i), centre_b(view.height, j)), collector);
+    }
+    std::ranges::sort(collector.ids);
+    const auto repeated = std::ranges::unique(collector.ids);
+    collector.ids.erase(repeated.begin(), repeated.end());
+    return std::move(collector.ids);
   }
 
   // Calls `make_hit` once per band, for the thread that works on it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace hsr {
@@ -21,15 +22,22 @@ void Player::load_page(std::uint64_t first) {
   made_ = 0;
   first_ = first;
   std::uint64_t number = 0;
-  run_([&](const Event& event) {
-    if (number < first) {
-      (void)state_.apply(event);
-      before_page_ = event;
-    } else if (events_.size() < page_) {
-      events_.push_back(event);
-    }
-    ++number;
-  });
+  try {
+    run_([&](const Event& event) {
+      if (number < first) {
+        (void)state_.apply(event);
+        before_page_ = event;
+      } else if (events_.size() < page_) {
+        events_.push_back(event);
+      }
+      ++number;
+    });
+  } catch (...) {
+    // Half a page is none: whatever step is asked for next lies before it.
+    events_.clear();
+    first_ = std::numeric_limits<std::uint64_t>::max();
+    throw;
+  }
   total_ = number;
 }
 
@@ -50,6 +58,10 @@ void Player::go_to(std::uint64_t step) {
 const Event* Player::last() const {
   if (made_ > 0) return &events_[made_ - 1];
   return first_ > 0 ? &before_page_ : nullptr;
+}
+
+const Event* Player::earlier(std::size_t back) const {
+  return back < made_ ? &events_[made_ - 1 - back] : nullptr;
 }
 
 }  // namespace hsr

@@ -28,13 +28,16 @@ class Player {
   std::uint64_t total() const { return total_; }
   /// How many steps have been made: 0 is the empty picture, total() the finished one.
   std::uint64_t step() const { return first_ + made_; }
-  /// Goes to the picture after `step` steps, at most total().
+  /// Goes to the picture after `step` steps, at most total(). If the run throws, the exception goes on, and
+  /// the next call begins the page anew.
   void go_to(std::uint64_t step);
 
   const PictureState& state() const { return state_; }
   const Frame& picture() const { return state_.frame(); }
   /// The step that was made last; null at the beginning.
   const Event* last() const;
+  /// The step that was made `back` steps before that; null if it lies before the page.
+  const Event* earlier(std::size_t back) const;
 
  private:
   void load_page(std::uint64_t first);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "predicates/pixel_box.h"
@@ -33,7 +34,15 @@ struct ScreenSkips {
 /// their plane) are left out always. A pixel's samples lie no farther than `sample_reach` pixels from its
 /// centre, right, left, up or down: 0 for the centre alone, less than 1/2. The boxes then hold each
 /// pixel of which a sample may be covered.
+///
+/// With a window, triangles whose boxes lie outside of it are left out too, uncounted.
 ScreenTriangles set_up_screen_triangles(const View& view, ScreenSkips skips, int threads,
-                                        double sample_reach = 0.0);
+                                        double sample_reach = 0.0,
+                                        const std::optional<PixelBox>& window = std::nullopt);
+
+/// The same for the triangles of `ids` alone, which increase: for whoever knows that no others are asked
+/// about.
+ScreenTriangles set_up_listed_triangles(const View& view, ScreenSkips skips,
+                                        const std::vector<std::uint32_t>& ids);
 
 }  // namespace hsr

@@ -68,7 +68,8 @@ class ZBuffer : public Renderer {
     RenderOptions allowed = options;
     // A triangle between pixel centres may reach one when its corners are rounded.
     if (snap_bits_ != 0) allowed.skips_off.insert(std::string(between_centres_skip.name));
-    const ScreenTriangles set_up = set_up_with_skips(view, allowed, report);
+    const ScreenTriangles set_up =
+        set_up_with_skips(view, allowed, report, 0.0, snap_bits_ == 0 ? options.window : std::nullopt);
     if (snap_bits_ != 0) {
       const std::vector<SnappedTriangle> snapped = snap_triangles(view, set_up, snap_bits_);
       report.bytes += snapped.capacity() * sizeof(SnappedTriangle);

@@ -81,7 +81,7 @@ void run(const ViewCommand& command, std::ostream& out) {
   const std::filesystem::path kept = kept_state_file();
   const std::optional<State> left = kept_state(kept);
   const State state = chosen_state(command, left.value_or(State{}));
-  window::App app(size, false, command.threads);
+  window::App app(state.window.value_or(size), false, command.threads);
   begin(app, command, state);
   app.session().key_card = !left;
   app.run();

@@ -49,6 +49,7 @@ void show_program(Session& session) {
 
 void reset_camera(Session& session) {
   session.bench.state.camera.reset();
+  session.bench.state.outside_camera.reset();
   session.bench.state.magnification = 1.0F;
   session.bench.state.centre = glm::vec2(0.5F);
 }
@@ -150,6 +151,7 @@ constexpr std::array keep_actions = {
     Action{"", nullptr, SDLK_v, KMOD_CTRL, paste_state},
     Action{"Ctrl P", "the window as PNG", SDLK_p, KMOD_CTRL,
            [](Session& session) { session.screenshot = true; }},
+    Action{"Ctrl G", "the steps as GIF", SDLK_g, KMOD_CTRL, save_gif},
     Action{"Ctrl I", "the picture as PNG", SDLK_i, KMOD_CTRL, save_picture},
 };
 

@@ -78,9 +78,11 @@ void App::frame() {
   session_.now += passed;
   fly(passed);
   play(session_, passed);
+  follow_window_size();
   set_fonts();
   move_parameter(session_, passed);
   session_.bench.update(session_.now, session_.picture_room);
+  if (const auto news = session_.bench.gif_news()) session_.tell(*news);
   bridge_.begin_frame(static_cast<float>(passed));
   ImGui::NewFrame();
   recorder_.words.clear();
@@ -92,9 +94,16 @@ void App::frame() {
   bridge_.draw(*ImGui::GetDrawData());
   SDL_RenderFlush(window_.renderer());  // without it frames that are never presented would pile up
   if (std::exchange(session_.screenshot, false)) save_window(session_, window_);
-  session_.slowest_frame_ms = std::max(session_.slowest_frame_ms, 1000.0 * (seconds_now() - now));
+  session_.frame_times.add(1000.0 * (seconds_now() - now));
   animating_ = session_.bench.state.comparing == Comparing::blink || session_.playing ||
                session_.moving_parameter >= 0;
+}
+
+void App::follow_window_size() {
+  std::optional<Extent>& wanted = session_.bench.state.window;
+  if (wanted && *wanted != window_size_) window_.resize(*wanted);  // a state that was read wants another one
+  window_size_ = window_.size();
+  wanted = window_size_;
 }
 
 void App::take(const SDL_Event& event) {
@@ -179,6 +188,7 @@ void App::draw_panels() {
   // The picture has the same pixels whether steps are shown below it or not.
   const ImVec2 room = lay_out(io.DisplaySize, {ui_.em, !state.lecture, true, false}).picture.size;
   session_.picture_room = {static_cast<int>(room.x), static_cast<int>(room.y)};
+  session_.bench.want_skip_times(false);  // unless a panel asks
   draw_bar(ui_, session_, layout.bar);
   if (layout.left.size.x > 0.0F) {
     ui_.begin_panel("settings", layout.left.corner, layout.left.size);

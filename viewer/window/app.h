@@ -34,6 +34,7 @@ class App {
   void fly(double seconds);
   void set_fonts();
   void draw_panels();
+  void follow_window_size();
 
   SdlWindow window_;
   Bridge bridge_;
@@ -46,6 +47,7 @@ class App {
   Theme styled_ = Theme::dark;
   bool styled_lecture_ = false;
   bool animating_ = false;
+  Extent window_size_;          // as it was last seen
   std::set<SDL_Keycode> held_;  // keys of flying
 };
 

@@ -71,6 +71,11 @@ void save_window(Session& session, const SdlWindow& window) {
        [&](const auto& file) { write_png(window.content(), glm::vec3(0.0F), file); });
 }
 
+void save_gif(Session& session) {
+  if (!session.bench.trace()) return session.tell("there are no steps yet (P shows them)");
+  session.bench.write_gif(free_name("steps", ".gif"));
+}
+
 void save_list(Session& session, const Story& story) {
   std::string table = "rank,triangle,face,depth,opacity,side,tied\n";
   for (std::size_t k = 0; k < story.pixel.list.size(); ++k) {

@@ -20,6 +20,8 @@ void paste_state(Session& session);
 void save_picture(Session& session);
 /// The whole window as it was drawn: window-1.png.
 void save_window(Session& session, const SdlWindow& window);
+/// The steps as an animation, in the background: steps-1.gif.
+void save_gif(Session& session);
 /// A pixel's depth list: list-1.csv.
 void save_list(Session& session, const Story& story);
 

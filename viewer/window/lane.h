@@ -16,6 +16,9 @@
 
 namespace hsr::window {
 
+/// Lets threads that draw go before this one and those that it starts.
+void step_back();
+
 /// How far a piece of work is, told by the thread that works and read by the one that draws.
 class WorkProgress {
  public:
@@ -85,7 +88,7 @@ class Lane {
     milliseconds_ = piece->milliseconds;
     if (!piece->result) return false;
     result_key_ = piece->key;
-    result_ = std::move(piece->result);
+    old_ = std::exchange(result_, std::move(piece->result));
     return true;
   }
 
@@ -94,6 +97,10 @@ class Lane {
     if (!running_) return;
     running_->progress.stop();
     given_up_ = running_->key;
+  }
+  /// Stops the running piece for now: it is begun again when it is wanted again.
+  void interrupt() {
+    if (running_) running_->progress.stop();
   }
   /// Forgets that a piece was given up or failed.
   void retry() {
@@ -132,7 +139,9 @@ class Lane {
     auto piece = std::make_shared<Piece>();
     piece->key = key;
     running_ = piece;
-    thread_ = std::thread([piece, work = std::move(work), wake = wake_]() mutable {
+    thread_ = std::thread([piece, old = std::move(old_), work = std::move(work), wake = wake_]() mutable {
+      step_back();
+      old = nullptr;  // gives back memory, which takes a while
       try {
         piece->result = std::make_shared<const Result>(work(piece->progress.listener()));
       } catch (const std::bad_alloc&) {
@@ -154,6 +163,7 @@ class Lane {
   std::optional<Key> given_up_;
   std::optional<Key> result_key_;
   std::shared_ptr<const Result> result_;
+  std::shared_ptr<const Result> old_;  // let go by the next piece's thread
   std::string error_;
   double milliseconds_ = 0.0;
 };

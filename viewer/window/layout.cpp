@@ -8,7 +8,9 @@ namespace {
 // Sizes in heights of the letters.
 constexpr float bar_height = 2.6F;
 constexpr float status_height = 2.0F;
-constexpr float steps_height = 10.5F;
+constexpr float steps_height = 7.4F;
+constexpr float narrow_steps_height = 9.2F;  // with its buttons in two rows
+constexpr float narrow = 62.0F;
 constexpr float left_width = 18.5F;
 constexpr float right_width = 23.0F;
 /// The picture keeps this part of the window's width, whatever the panels ask for.
@@ -28,15 +30,16 @@ Layout lay_out(const ImVec2& window, const LayoutWishes& wishes) {
   }
   const float top = std::min(bar_height * em, window.y);
   const float status = std::min(status_height * em, window.y - top);
-  const float steps = wishes.steps ? std::min(steps_height * em, (window.y - top - status) / 2.0F) : 0.0F;
+  const float steps_em = window.x < narrow * em ? narrow_steps_height : steps_height;
+  const float steps = wishes.steps ? std::min(steps_em * em, (window.y - top - status) / 2.0F) : 0.0F;
   const float bottom = window.y - status;
   const float middle = std::max(bottom - steps - top, 1.0F);
   Layout layout;
   layout.bar = {{0.0F, 0.0F}, {window.x, top}};
-  layout.left = {{0.0F, top}, {left, bottom - top}};
+  layout.left = {{0.0F, top}, {left, middle}};
   layout.picture = {{left, top}, {std::max(window.x - left - right, 1.0F), middle}};
-  layout.right = {{window.x - right, top}, {right, bottom - top}};
-  layout.steps = {{left, top + middle}, {layout.picture.size.x, steps}};
+  layout.right = {{window.x - right, top}, {right, middle}};
+  layout.steps = {{0.0F, top + middle}, {window.x, steps}};
   layout.status = {{0.0F, bottom}, {window.x, status}};
   return layout;
 }

@@ -69,6 +69,12 @@ float SdlWindow::display_scale() const {
   return std::isfinite(scale) ? std::clamp(scale, 1.0F, 3.0F) : 1.0F;
 }
 
+Extent SdlWindow::size() const {
+  Extent extent;
+  SDL_GetWindowSize(window_, &extent.width, &extent.height);
+  return extent;
+}
+
 void SdlWindow::resize(Extent size) { SDL_SetWindowSize(window_, size.width, size.height); }
 
 Frame SdlWindow::content() const {

@@ -28,6 +28,8 @@ class SdlWindow {
   /// How large the display asks the interface to be: 1 on one of 96 dots per inch.
   float display_scale() const;
   void resize(Extent size);
+  /// In the units in which it is resized.
+  Extent size() const;
   /// What is drawn now, before it is presented, as a picture. Throws InputError.
   Frame content() const;
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "window/frame_times.h"
 #include "window/results/bitmap.h"
 #include "window/sdl_window.h"
 #include "window/workbench.h"
@@ -33,7 +34,7 @@ struct Session {
   SDL_Renderer* renderer = nullptr;
   double now = 0.0;  ///< seconds since the window opened
   bool quit = false;
-  double slowest_frame_ms = 0.0;      ///< what drawing took at most, since somebody set it to 0
+  FrameTimes frame_times;             ///< what drawing took, since somebody began to measure
   bool key_card = false;              ///< the list of keys is shown
   bool panel_keys = false;            ///< the keyboard moves through the panels
   bool search_scene = false;          ///< the scene picker is to open, ready to type
@@ -58,8 +59,8 @@ struct Session {
   int moving_parameter = -1;                    ///< the scene's parameter that goes up and down, or -1
   double moving_phase = 0.0;                    ///< in turns
   double step_rest = 0.0;                       ///< part of a step that playing has come to
-  std::optional<Camera> outside_camera;
-  std::uint64_t outside_of = 0;  ///< the model it is for
+  Camera outside_home;                          ///< where the outside view is seen from at first
+  std::uint64_t outside_of = 0;                 ///< the model it is for
 
   void tell(const std::string& text) {
     constexpr double seconds = 6.0;

@@ -11,8 +11,8 @@ std::span<const std::string_view> comparing_names() {
 }
 
 std::span<const std::string_view> overlay_names() {
-  static constexpr std::array<std::string_view, 6> names = {"none",  "errors", "list length",
-                                                            "depth", "face",   "color error"};
+  static constexpr std::array<std::string_view, 7> names = {"none", "errors",      "list length", "depth",
+                                                            "face", "color error", "overdraw"};
   return names;
 }
 

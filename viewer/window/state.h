@@ -17,7 +17,7 @@ namespace hsr::window {
 enum class Comparing : std::uint8_t { off, wiper, side_by_side, blink, difference };
 
 /// What is drawn over the picture.
-enum class Overlay : std::uint8_t { none, errors, list_length, depth, face, color_error };
+enum class Overlay : std::uint8_t { none, errors, list_length, depth, face, color_error, overdraw };
 
 /// Whose steps are shown: all, or those at the selected pixel, or those about the face that it shows.
 enum class StepsOf : std::uint8_t { all, pixel, face };
@@ -47,6 +47,9 @@ struct Extent {
   int height = 0;
   bool operator==(const Extent&) const = default;
 };
+
+/// How deep the boxes of a hierarchy can be shown from outside.
+inline constexpr int most_outside_level = 20;
 
 /// All that a person chose in the viewer, so all that makes up what is seen: a state written to a file
 /// and read again shows the same.
@@ -78,9 +81,12 @@ struct State {
   StepsOf steps_of = StepsOf::all;  ///< which steps
 
   Theme theme = Theme::dark;
-  float scale = 0.0F;  ///< of the interface; 0: as the display asks
+  std::optional<Extent> window;  ///< its size, where it was told
+  float scale = 0.0F;            ///< of the interface; 0: as the display asks
   bool lecture = false;
-  bool outside = false;  ///< the second view, from outside
+  bool outside = false;                  ///< the second view, from outside
+  std::optional<Camera> outside_camera;  ///< nothing: from the side and above
+  int outside_level = 3;                 ///< how deep the boxes of a hierarchy are shown there
 };
 
 /// The names of the values, as in state files and scripts; in the order of the enumeration.

@@ -24,7 +24,11 @@ Workbench::Workbench(std::function<void()> wake, int threads)
       trace_lane_(wake),
       moment_lane_(wake),
       marks_lane_(wake),
-      lengths_lane_(wake) {}
+      lengths_lane_(wake),
+      overdraw_lane_(wake),
+      structure_lane_(wake),
+      skips_lane_(wake),
+      gif_lane_(wake) {}
 
 void Workbench::update(double seconds, Extent panel) {
   now_ = seconds;
@@ -47,6 +51,10 @@ void Workbench::update(double seconds, Extent panel) {
   (void)moment_lane_.poll();
   (void)marks_lane_.poll();
   (void)lengths_lane_.poll();
+  (void)overdraw_lane_.poll();
+  (void)structure_lane_.poll();
+  (void)skips_lane_.poll();
+  poll_gif();
   settling_ = now_ - camera_moved_ < rest_seconds;
   want_model();
   if (!model()) return;
@@ -55,6 +63,7 @@ void Workbench::update(double seconds, Extent panel) {
   want_pictures();
   want_truth();
   want_steps();
+  want_extras();
 }
 
 bool Workbench::model_is_current() const {
@@ -153,6 +162,7 @@ void Workbench::open_scene(const std::string& words) {
   state.scene = words;
   state.moved.clear();
   state.camera.reset();
+  state.outside_camera.reset();
   state.pixel.reset();
   state.magnification = 1.0F;
   state.centre = glm::vec2(0.5F);

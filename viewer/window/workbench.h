@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -7,14 +8,24 @@
 #include <vector>
 
 #include "window/lane.h"
+#include "window/results/extras.h"
 #include "window/results/model.h"
 #include "window/results/rendered.h"
 #include "window/results/steps.h"
 #include "window/results/story.h"
+#include "window/results/structure.h"
 #include "window/results/truth.h"
 #include "window/state.h"
 
 namespace hsr::window {
+
+/// Which animation is written where; the number tells apart what was asked for twice.
+struct GifKey {
+  TraceKey trace;
+  std::filesystem::path file;
+  std::uint64_t number = 0;
+  bool operator==(const GifKey&) const = default;
+};
 
 /// A file's picture, for a model.
 struct FileKey {
@@ -79,6 +90,9 @@ class Workbench {
   /// Says which pixel the panel explains; nothing if none.
   void want_story(const std::optional<glm::ivec2>& pixel) { story_pixel_ = pixel; }
 
+  /// Says whether somebody wants to know what each skip saves.
+  void want_skip_times(bool wanted) { want_skip_times_ = wanted; }
+
   /// The steps of the present picture, the picture after state.step of them, and steps worth going to; null
   /// unless they are of the present state, but for the moment, which may be one of shortly before.
   std::shared_ptr<const Trace> trace() const;
@@ -88,6 +102,12 @@ class Workbench {
   std::uint32_t selected_face() const;
   /// How many triangles cover each pixel, by the exact lists; null unless it is of the present view.
   std::shared_ptr<const std::vector<std::uint32_t>> list_lengths() const;
+  /// How often the algorithm wrote each pixel; null unless it is of the present picture.
+  std::shared_ptr<const std::vector<std::uint32_t>> overdraw() const;
+  /// What finds the triangles that rays meet, to be drawn; null unless it is of the present scene.
+  std::shared_ptr<const Structure> structure() const;
+  /// What each skip saves, in milliseconds; null unless it is of the present picture.
+  std::shared_ptr<const SkipTimes> skip_times() const;
 
   /// The state with everything said that otherwise follows from the window: what is saved.
   State exact_state() const;
@@ -99,6 +119,11 @@ class Workbench {
   void select_algorithm(const AlgorithmSpec& spec);
   /// Drags a corner of a triangle to a place in the world.
   void move_corner(std::uint32_t corner, const glm::vec3& position);
+
+  /// Writes the steps as an animation, in the background; there must be a trace.
+  void write_gif(const std::filesystem::path& file);
+  /// What became of it, once: the file, or what went wrong.
+  std::optional<std::string> gif_news();
 
   /// Stops all work that is not finished; nothing of it is begun again before something changes.
   void cancel();
@@ -135,6 +160,9 @@ class Workbench {
   void want_truth();
   void want_causes();
   void want_steps();
+  void want_extras();
+  void poll_gif();
+  StructureKey structure_key() const;
   TraceKey trace_key() const;
   MomentKey moment_key() const;
   MarksKey marks_key() const;
@@ -156,11 +184,14 @@ class Workbench {
   // A renderer keeps what it prepared, so each lane has its own.
   std::shared_ptr<PreparedRenderers> prepared_ = std::make_shared<PreparedRenderers>();
   std::shared_ptr<PreparedRenderers> other_prepared_ = std::make_shared<PreparedRenderers>();
+  std::shared_ptr<PreparedRenderers> skips_prepared_ = std::make_shared<PreparedRenderers>();
   std::shared_ptr<PreparedRenderers> story_prepared_ = std::make_shared<PreparedRenderers>();
   std::optional<glm::ivec2> story_pixel_;
+  bool want_skip_times_ = false;
   std::shared_ptr<const Scene> unmoved_;  // the scene as it was read
   std::string unmoved_name_;
 
+  std::uint64_t gifs_ = 0;
   std::uint64_t runs_ = 0;  // how often the picture from elsewhere was asked for anew
 
   Lane<ModelKey, Model> model_lane_;
@@ -175,6 +206,11 @@ class Workbench {
   Lane<MomentKey, Moment> moment_lane_;
   Lane<MarksKey, Marks> marks_lane_;
   Lane<ViewKey, std::vector<std::uint32_t>> lengths_lane_;
+  Lane<PictureKey, std::vector<std::uint32_t>> overdraw_lane_;
+  Lane<StructureKey, Structure> structure_lane_;
+  Lane<PictureKey, SkipTimes> skips_lane_;
+  Lane<GifKey, std::filesystem::path> gif_lane_;
+  std::optional<std::string> gif_news_;
 };
 
 }  // namespace hsr::window

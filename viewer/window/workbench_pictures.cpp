@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <utility>
 
+#include "window/theme.h"
 #include "window/workbench.h"
 
 namespace hsr::window {
@@ -13,6 +14,15 @@ namespace {
 /// What a picture may take while the camera moves, and how many times coarser it may be for that.
 constexpr double moving_ms = 40.0;
 constexpr int coarsest = 6;
+
+/// The algorithm that makes the same picture sooner, if there is one: for while the camera moves.
+std::string quick_variant(const AlgorithmSpec& spec, const std::string& own) {
+  for (const Algorithm* algorithm : algorithm_catalog()) {
+    const bool same = algorithm->variant_of == spec.algorithm->name && own == spec.algorithm->name;
+    if (same) return std::string(algorithm->name);
+  }
+  return own;
+}
 
 ViewKey coarser(ViewKey key, int times) {
   key.size.width = std::max(1, key.size.width / times);
@@ -61,7 +71,8 @@ std::string Workbench::maker_name() const {
 std::string Workbench::other_name() const { return state.other ? state.other->text() : "exact answer"; }
 
 Surroundings Workbench::surroundings() const {
-  return {model(), threads_, limits, picture_is_current() ? picture()->told : nullptr};
+  return {model(), threads_, limits, palette_of(state.theme).backdrop,
+          picture_is_current() ? picture()->told : nullptr};
 }
 
 int Workbench::coarseness() const {
@@ -103,6 +114,7 @@ void Workbench::want_pictures() {
   }
   PictureKey key = picture_key();
   key.view = coarser(key.view, coarseness());
+  if (coarseness() > 1) key.algorithm = quick_variant(state.algorithm, key.algorithm);
   const auto make = [this](const PictureKey& wanted, const std::shared_ptr<PreparedRenderers>& prepared) {
     Surroundings given = surroundings();
     given.told = file();

@@ -15,7 +15,7 @@ TraceKey Workbench::trace_key() const {
 }
 
 MomentKey Workbench::moment_key() const {
-  return {trace_key(), state.step, state.pixel.value_or(glm::ivec2(-1))};
+  return {trace_key(), state.step, state.pixel.value_or(glm::ivec2(-1)), state.theme};
 }
 
 MarksKey Workbench::marks_key() const {
@@ -33,27 +33,13 @@ std::uint32_t Workbench::selected_face() const {
 void Workbench::want_steps() {
   if (!picture_is_current() || settling_) return;
   const Extent size = picture_size();
-  if (story_pixel_ && story_pixel_->x < size.width && story_pixel_->y < size.height) {
-    const StoryKey key = {picture_key(), *story_pixel_};
+  // Without a pixel, what every pixel needs is prepared, so that the first one is told as soon as the others.
+  const bool there = story_pixel_ && story_pixel_->x < size.width && story_pixel_->y < size.height;
+  const StoryKey key = {picture_key(), there ? *story_pixel_ : glm::ivec2(-1)};
+  if (there || !story_lane_.result_key() || !(story_lane_.result_key()->picture == key.picture)) {
     story_lane_.want(key, true, [&] {
       return [key, given = surroundings(), prepared = story_prepared_](const Progress& progress) {
         return tell_story(key, given, *prepared, progress);
-      };
-    });
-  }
-  if (state.overlay == Overlay::list_length && truth()) {
-    lengths_lane_.want(view_key(), true, [&] {
-      return [exact = truth()](const Progress& progress) {
-        std::vector<std::uint32_t> lengths;
-        lengths.reserve(exact->frame.pixel_count());
-        for (int row = 0; row < exact->frame.height; ++row) {
-          const exact::DepthLists lists = exact->answer->depth_lists(row, row + 1);
-          for (std::size_t k = 0; k + 1 < lists.begin.size(); ++k) {
-            lengths.push_back(static_cast<std::uint32_t>(lists.begin[k + 1] - lists.begin[k]));
-          }
-          if (!report_progress(progress, "measuring lists", (row + 1.0) / exact->frame.height)) break;
-        }
-        return lengths;
       };
     });
   }
@@ -67,11 +53,13 @@ void Workbench::want_steps() {
   if (!steps) return;
   state.step = std::min(state.step, steps->total);
   moment_lane_.want(moment_key(), false, [&] {
-    return [key = moment_key(), steps](const Progress&) { return find_moment(key, *steps); };
+    return [key = moment_key(), steps, given = surroundings()](const Progress& progress) {
+      return find_moment(key, *steps, given.backdrop, progress);
+    };
   });
   marks_lane_.want(marks_key(), false, [&] {
-    return [key = marks_key(), steps, exact = truth()](const Progress&) {
-      return find_marks(key, *steps, exact);
+    return [key = marks_key(), steps, exact = truth()](const Progress& progress) {
+      return find_marks(key, *steps, exact, progress);
     };
   });
 }
@@ -97,11 +85,6 @@ std::shared_ptr<const Moment> Workbench::moment() const {
 std::shared_ptr<const Marks> Workbench::marks() const {
   if (!trace() || !marks_lane_.result() || !(*marks_lane_.result_key() == marks_key())) return nullptr;
   return marks_lane_.result();
-}
-
-std::shared_ptr<const std::vector<std::uint32_t>> Workbench::list_lengths() const {
-  if (!model() || !lengths_lane_.result() || !(*lengths_lane_.result_key() == view_key())) return nullptr;
-  return lengths_lane_.result();
 }
 
 }  // namespace hsr::window

@@ -20,6 +20,10 @@ void Workbench::for_each_lane(Self& self, Visit visit) {
   visit("step", self.moment_lane_);
   visit("marks", self.marks_lane_);
   visit("lists", self.lengths_lane_);
+  visit("overdraw", self.overdraw_lane_);
+  visit("boxes", self.structure_lane_);
+  visit("skips", self.skips_lane_);
+  visit("animation", self.gif_lane_);
 }
 
 bool Workbench::busy() const {

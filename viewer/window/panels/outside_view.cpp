@@ -8,37 +8,13 @@
 #include "window/camera_motion.h"
 #include "window/outline.h"
 #include "window/panels/depth_plot.h"
+#include "window/panels/outside_step.h"
 
 namespace hsr::window {
 namespace {
 
 /// A larger scene is shown by this many of its triangles, evenly chosen.
 constexpr std::size_t most_triangles = 4000;
-
-class OutsideDrawing {
- public:
-  OutsideDrawing(ImDrawList& list, const View& view, const ImVec2& corner)
-      : list_(list), view_(view), corner_(corner) {}
-
-  void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float width) const {
-    const auto seen = seen_line(view_, from, to);
-    if (seen) list_.AddLine(screen(seen->first), screen(seen->second), color, width);
-  }
-  void dot(const glm::dvec3& at, float radius, ImU32 color, ImU32 rim) const {
-    const auto seen = seen_at(view_, at);
-    if (!seen) return;
-    list_.AddCircleFilled(screen(*seen), radius, color);
-    list_.AddCircle(screen(*seen), radius, rim);
-  }
-
- private:
-  ImVec2 screen(const glm::dvec2& raster) const {
-    return {corner_.x + static_cast<float>(raster.x), corner_.y + static_cast<float>(raster.y)};
-  }
-  ImDrawList& list_;
-  const View& view_;
-  ImVec2 corner_;
-};
 
 void draw_scene(const OutsideDrawing& drawing, const Scene& scene, float stroke) {
   const std::size_t step = scene.triangles.size() / most_triangles + 1;
@@ -80,14 +56,6 @@ void draw_ray(Ui& ui, const OutsideDrawing& drawing, const View& view, const glm
   }
 }
 
-void outline_pair(Ui& ui, const OutsideDrawing& drawing, const Scene& scene, std::uint32_t id, ImU32 color) {
-  if (id >= scene.triangles.size()) return;
-  const auto& corners = scene.triangles[id].corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    drawing.line(scene.positions[corners[k]], scene.positions[corners[(k + 1) % 3]], color, 3.0F * ui.stroke);
-  }
-}
-
 /// From the side and above, at a distance from which scene and camera are seen.
 Camera first_outside(const View& view, const BoundingSphere& sphere) {
   const glm::dvec3 middle = (sphere.centre + view.camera.eye) / 2.0;
@@ -101,37 +69,52 @@ Camera first_outside(const View& view, const BoundingSphere& sphere) {
   return {middle + 2.9 * std::max(radius, 1e-9) * from, middle, view.camera.up, 45.0};
 }
 
+/// How deep the boxes are shown.
+void draw_level_slider(Ui& ui, Session& session, const Area& area, int levels) {
+  const float width = 9.0F * ui.em;
+  ImGui::SetCursorScreenPos(
+      {area.corner.x + area.size.x - width - 4.0F * ui.em, area.corner.y + 0.3F * ui.em});
+  ImGui::SetNextItemWidth(width);
+  int level = std::min(session.bench.state.outside_level, levels - 1);
+  if (ui.slider("level", level, 0, std::min(levels - 1, most_outside_level),
+                "Which level of the boxes is drawn"))
+    session.bench.state.outside_level = level;
+}
+
 }  // namespace
 
 void draw_outside_view(Ui& ui, Session& session, const Area& area) {
   const auto picture = session.bench.picture();
   const auto model = session.bench.model();
   if (!picture || !model || area.size.x < 16.0F || area.size.y < 16.0F) return;
-  if (!session.outside_camera || session.outside_of != model->number) {
-    session.outside_camera = first_outside(picture->view, model->sphere);
+  State& state = session.bench.state;
+  if (session.outside_of != model->number) {
+    session.outside_home = first_outside(picture->view, model->sphere);
     session.outside_of = model->number;
   }
+  const Camera camera = state.outside_camera.value_or(session.outside_home);
+  const auto structure = session.bench.structure();
   ImGui::SetCursorScreenPos(area.corner);
   ImGui::InvisibleButton("outside", area.size);
   ui.note("outside");
+  ImGui::SetItemAllowOverlap();  // the slider stands on it
   const ImGuiIO& io = ImGui::GetIO();
   if (ImGui::IsItemActive() && (io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F)) {
-    session.outside_camera =
-        orbited(*session.outside_camera, 3.14 / area.size.y * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
+    state.outside_camera = orbited(camera, 3.14 / area.size.y * glm::dvec2(io.MouseDelta.x, io.MouseDelta.y));
   }
   if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) {
-    session.outside_camera = dollied(*session.outside_camera, io.MouseWheel > 0.0F ? 0.9 : 1.1);
+    state.outside_camera = dollied(camera, io.MouseWheel > 0.0F ? 0.9 : 1.1);
   }
   // Far wide enough for the frustum; what is meant to be seen is lines only.
-  const double reach = glm::length(session.outside_camera->eye - model->sphere.centre) +
-                       model->sphere.radius + picture->view.far_depth;
+  const double reach =
+      glm::length(camera.eye - model->sphere.centre) + model->sphere.radius + picture->view.far_depth;
   Scene empty;
   View view;
   try {
-    view = make_view(empty, *session.outside_camera, static_cast<int>(area.size.x),
-                     static_cast<int>(area.size.y), 1e-4 * reach, 4.0 * reach);
+    view = make_view(empty, camera, static_cast<int>(area.size.x), static_cast<int>(area.size.y),
+                     1e-4 * reach, 4.0 * reach);
   } catch (const std::exception&) {
-    session.outside_camera.reset();
+    state.outside_camera.reset();
     return;
   }
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -141,19 +124,25 @@ void draw_outside_view(Ui& ui, Session& session, const Area& area) {
   const OutsideDrawing drawing(list, view, area.corner);
   draw_scene(drawing, *model->scene, ui.stroke);
   draw_frustum(ui, drawing, picture->view);
-  if (const auto pixel = session.pixel_in_question()) {
-    draw_ray(ui, drawing, picture->view, *pixel, session.bench.story().get());
-  }
-  const auto moment = session.bench.moment();
-  if (session.bench.state.stepping && moment && moment->event) {
-    outline_pair(ui, drawing, *model->scene, moment->event->q, ui.palette.second);
-    outline_pair(ui, drawing, *model->scene, moment->event->p, ui.palette.first);
+  if (structure) draw_structure(ui, drawing, *structure, state.outside_level);
+  const auto moment = state.stepping ? session.bench.moment() : nullptr;
+  const bool at_pixel = moment && moment->event && moment->event->i >= 0;
+  const auto pixel = at_pixel ? glm::ivec2(moment->event->i, moment->event->j)
+                              : session.pixel_in_question().value_or(glm::ivec2(-1));
+  const auto story = session.bench.story();
+  if (pixel.x >= 0) draw_ray(ui, drawing, picture->view, pixel, at_pixel ? nullptr : story.get());
+  if (moment) {
+    draw_step_outside(ui, session, drawing, *moment, structure.get());
+  } else {
+    if (story && structure) draw_visited(ui, drawing, *structure, story->pixel.history.events);
+    draw_pair_outside(ui, session, drawing);
   }
   list.AddRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, ui.palette.line, 0.0F,
                0, 2.0F * ui.stroke);
   ui.draw_text(list, {area.corner.x + 0.5F * ui.em, area.corner.y + 0.4F * ui.em}, ui.palette.text,
-               "from outside");
+               structure ? "from outside: boxes of the structure" : "from outside");
   list.PopClipRect();
+  if (structure && !structure->nodes.empty()) draw_level_slider(ui, session, area, structure->levels);
 }
 
 }  // namespace hsr::window

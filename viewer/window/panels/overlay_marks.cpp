@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <vector>
 
 #include "window/causes.h"
 #include "window/outline.h"
@@ -15,7 +14,6 @@ namespace {
 struct Crowd {
   glm::vec2 sum{0.0F};
   float count = 0.0F;
-  Cause cause = Cause::unknown;
 };
 
 }  // namespace
@@ -24,9 +22,11 @@ void draw_failures(Ui& ui, Session& session, const PicturePlace& place, ImDrawLi
   const auto judgement = session.bench.judgement();
   const auto causes = session.bench.causes();
   if (!judgement || !causes) return;
-  // Squares of the screen in which there is one mark at most, so that there are never too many.
+  // Squares of the screen in which there is one mark of a cause at most, so that there are never too many.
   const float square = std::max(1.6F * ui.em, place.zoom);
-  std::map<std::tuple<int, int, Cause>, Crowd> crowds;
+  const auto columns = static_cast<std::size_t>(place.area.size.x / square) + 2;
+  const auto rows = static_cast<std::size_t>(place.area.size.y / square) + 2;
+  std::vector<Crowd> crowds(columns * rows * cause_count);
   const auto width = static_cast<std::uint32_t>(place.size.width);
   for (std::size_t pixel = 0; pixel < causes->pair_at.size(); ++pixel) {
     const std::uint32_t pair = causes->pair_at[pixel];
@@ -34,15 +34,18 @@ void draw_failures(Ui& ui, Session& session, const PicturePlace& place, ImDrawLi
     const ImVec2 at =
         place.screen({static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
     if (!place.contains(at)) continue;
-    const Cause cause = causes->pairs[pair].cause;
-    Crowd& crowd = crowds[{static_cast<int>(at.x / square), static_cast<int>(at.y / square), cause}];
+    const auto column = static_cast<std::size_t>((at.x - place.area.corner.x) / square);
+    const auto row = static_cast<std::size_t>((at.y - place.area.corner.y) / square);
+    const auto cause = static_cast<std::size_t>(causes->pairs[pair].cause);
+    Crowd& crowd = crowds[(row * columns + column) * cause_count + cause];
     crowd.sum += glm::vec2(at.x, at.y);
     crowd.count += 1.0F;
   }
   const float radius = std::min(0.32F * ui.em, 0.4F * square);
-  for (const auto& [cell, crowd] : crowds) {
-    const glm::vec2 middle = crowd.sum / crowd.count;
-    draw_cause(list, {middle.x, middle.y}, radius, ui.stroke, std::get<Cause>(cell),
+  for (std::size_t k = 0; k < crowds.size(); ++k) {
+    if (crowds[k].count == 0.0F) continue;
+    const glm::vec2 middle = crowds[k].sum / crowds[k].count;
+    draw_cause(list, {middle.x, middle.y}, radius, ui.stroke, static_cast<Cause>(k % cause_count),
                session.bench.state.theme);
   }
 }
@@ -129,23 +132,6 @@ void draw_failing_pair(Ui& ui, Session& session, const PicturePlace& place, ImDr
   const ImVec2 to = place.screen(pair->crossing[1]);
   list.AddLine(from, to, IM_COL32(0, 0, 0, 255), 6.0F * ui.stroke);
   list.AddLine(from, to, IM_COL32(255, 255, 255, 255), 3.0F * ui.stroke);
-}
-
-void draw_step(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list) {
-  const auto moment = session.bench.moment();
-  const auto picture = session.bench.picture();
-  if (!moment || !moment->event || !picture) return;
-  const Event& event = *moment->event;
-  if (event.q != event.p) draw_outline(ui, picture->view, event.q, place, list, ui.palette.second);
-  draw_outline(ui, picture->view, event.p, place, list, ui.palette.first);
-  if (event.i < 0) return;
-  const ImVec2 least = place.screen({event.i, event.j});
-  const ImVec2 greatest = place.screen({event.i + 1, event.j + 1});
-  const float gap = std::max(0.0F, (0.5F * ui.em - (greatest.x - least.x)) / 2.0F);
-  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, IM_COL32(0, 0, 0, 255),
-               0.0F, 0, 4.0F * ui.stroke);
-  list.AddRect({least.x - gap, least.y - gap}, {greatest.x + gap, greatest.y + gap}, ui.palette.first, 0.0F,
-               0, 2.0F * ui.stroke);
 }
 
 }  // namespace hsr::window

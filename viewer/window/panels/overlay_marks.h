@@ -27,7 +27,4 @@ const FailingPair* failing_pair(const Session& session);
 /// cycle.
 void draw_failing_pair(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list);
 
-/// What the present step speaks of: P and Q outlined, its pixel framed.
-void draw_step(Ui& ui, Session& session, const PicturePlace& place, ImDrawList& list);
-
 }  // namespace hsr::window

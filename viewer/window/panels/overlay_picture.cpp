@@ -65,10 +65,13 @@ OverlayPicture make_overlay_picture(Session& session) {
   const auto picture = bench.picture();
   const auto truth = bench.truth();
   const auto lengths = bench.list_lengths();
+  const auto overdraw = bench.overdraw();
   std::shared_ptr<const void> second;
   if (overlay == Overlay::list_length) second = lengths;
   if (overlay == Overlay::color_error) second = truth;
-  const bool needs_second = overlay == Overlay::list_length || overlay == Overlay::color_error;
+  if (overlay == Overlay::overdraw) second = overdraw;
+  const bool needs_second =
+      overlay == Overlay::list_length || overlay == Overlay::color_error || overlay == Overlay::overdraw;
   if (needs_second && !second) return {};
   ShownPicture& shown = session.shown_overlay;
   if (shown.source == picture && shown.source2 == second && session.overlay_kind == overlay)
@@ -81,7 +84,8 @@ OverlayPicture make_overlay_picture(Session& session) {
   if (overlay == Overlay::depth) return session.overlay_made = by_scale(session, picture->frame.depth, size);
   if (overlay == Overlay::color_error)
     return session.overlay_made = color_errors(session, *picture, *truth, size);
-  return session.overlay_made = by_scale(session, std::vector<float>(lengths->begin(), lengths->end()), size);
+  const std::vector<std::uint32_t>& counts = overlay == Overlay::overdraw ? *overdraw : *lengths;
+  return session.overlay_made = by_scale(session, std::vector<float>(counts.begin(), counts.end()), size);
 }
 
 void draw_legend(Ui& ui, ImDrawList& list, const Area& area, const OverlayPicture& overlay) {

@@ -8,16 +8,21 @@
 #include "window/panels/overlay_picture.h"
 #include "window/panels/panels.h"
 #include "window/panels/picture_mouse.h"
+#include "window/panels/step_drawing.h"
 
 namespace hsr::window {
 namespace {
 
-/// Puts a frame on the screen's texture if it is not there already.
+/// Puts a picture on the screen's texture if it is not there already.
 void show(Session& session, ShownPicture& shown, const std::shared_ptr<const void>& source,
-          const Frame& frame) {
+          const ScreenPicture& screen, const Frame* frame) {
   const Theme theme = session.bench.state.theme;
   if (shown.source == source && shown.theme == theme) return;
-  const Bitmap bitmap = over_backdrop(frame.color, frame.width, frame.height, palette_of(theme).backdrop);
+  const glm::vec3 backdrop = palette_of(theme).backdrop;
+  Bitmap anew;  // where the theme has changed since the picture was made
+  if (frame != nullptr && screen.backdrop != backdrop)
+    anew = over_backdrop(frame->color, frame->width, frame->height, backdrop);
+  const Bitmap& bitmap = anew.pixels.empty() ? screen.bitmap : anew;
   shown.texture.set(session.renderer, bitmap.width, bitmap.height, bitmap.pixels.data());
   shown.source = source;
   shown.theme = theme;
@@ -48,15 +53,16 @@ void show_difference(Session& session, const std::shared_ptr<const void>& first,
 struct Other {
   std::shared_ptr<const void> source;
   const Frame* frame = nullptr;
+  const ScreenPicture* screen = nullptr;
 };
 
 Other other_of(const Workbench& bench) {
   if (bench.state.other) {
     const auto other = bench.other();
-    return other ? Other{other, &other->frame} : Other{};
+    return other ? Other{other, &other->frame, &other->screen} : Other{};
   }
   const auto truth = bench.truth();
-  return truth ? Other{truth, &truth->frame} : Other{};
+  return truth ? Other{truth, &truth->frame, &truth->screen} : Other{};
 }
 
 /// Draws the pixels that are seen, and not the others: magnified pictures are much larger than the screen.
@@ -123,9 +129,9 @@ std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session
   const auto picture = bench.picture();
   const auto moment = state.stepping ? bench.moment() : nullptr;
   if (moment) {
-    show(session, session.shown_picture, moment, moment->frame);
+    show(session, session.shown_picture, moment, moment->screen, nullptr);
   } else {
-    show(session, session.shown_picture, picture, picture->frame);
+    show(session, session.shown_picture, picture, picture->screen, &picture->frame);
   }
   const std::string own = bench.maker_name();
   const auto place = [&](const Area& where) {
@@ -139,7 +145,7 @@ std::vector<std::pair<Area, std::string>> draw_pictures(Ui& ui, Session& session
     if (overlay.there) draw_legend(ui, list, area, overlay);
     return {{area, own}};
   }
-  show(session, session.shown_other, other.source, *other.frame);
+  show(session, session.shown_other, other.source, *other.screen, other.frame);
   switch (state.comparing) {
     case Comparing::wiper: {
       const Area left = left_part(area, state.wiper);

@@ -19,7 +19,20 @@ void color_cell(Ui& ui, ImU32 color) {
   ImGui::Dummy({side, side});
 }
 
-void draw_row(Ui& ui, const Story& story, std::size_t k) {
+/// Which columns the list has room for: what is less often asked for goes first.
+struct ListColumns {
+  bool side = true;
+  bool opacity = true;
+  int count() const { return 4 + (side ? 1 : 0) + (opacity ? 1 : 0); }
+};
+
+ListColumns columns_for(float width, float em) {
+  constexpr float all = 22.0F;  // heights of the letters
+  constexpr float without_side = 18.0F;
+  return {width >= all * em, width >= without_side * em};
+}
+
+void draw_row(Ui& ui, const Story& story, std::size_t k, const ListColumns& columns) {
   const exact::Fragment& fragment = story.pixel.list[k];
   const auto cell = [](const std::string& text) {
     ImGui::TableNextColumn();
@@ -31,8 +44,8 @@ void draw_row(Ui& ui, const Story& story, std::size_t k) {
   // An arrow says which one is shown, also to who does not see its colour.
   cell((fragment.id == story.pixel.id ? "\xE2\x86\x92 " : "") + std::to_string(fragment.id));
   cell((fragment.tied ? "= " : "") + significant(fragment.depth, 6));
-  cell(significant(story.colors[k].a, 2));
-  cell(story.fronts[k] ? "front" : "back");
+  if (columns.opacity) cell(significant(story.colors[k].a, 2));
+  if (columns.side) cell(story.fronts[k] ? "front" : "back");
   ImGui::TableNextColumn();
   color_cell(ui, screen_color(story.so_far[k]));
 }
@@ -45,17 +58,20 @@ void draw_list(Ui& ui, const Story& story) {
   constexpr ImGuiTableFlags flags =
       ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit;
   ui.pause_recording();
-  if (ImGui::BeginTable("list", 6, flags, {0.0F, height})) {
+  const ListColumns columns = columns_for(ImGui::GetContentRegionAvail().x, ui.em);
+  if (ImGui::BeginTable("list", columns.count(), flags, {0.0F, height})) {
     ui.resume_recording();
     ImGui::TableSetupScrollFreeze(0, 1);
-    for (const char* title : {"", "triangle", "depth", "opacity", "side", "so far"})
-      ImGui::TableSetupColumn(title);
+    for (const char* title : {"", "triangle", "depth"}) ImGui::TableSetupColumn(title);
+    if (columns.opacity) ImGui::TableSetupColumn("opacity");
+    if (columns.side) ImGui::TableSetupColumn("side");
+    ImGui::TableSetupColumn("so far");
     ImGui::TableHeadersRow();
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(count));
     while (clipper.Step()) {
       for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k)
-        draw_row(ui, story, static_cast<std::size_t>(k));
+        draw_row(ui, story, static_cast<std::size_t>(k), columns);
     }
     ImGui::EndTable();
   }
@@ -120,7 +136,7 @@ void draw_pixel_panel(Ui& ui, Session& session, const Area& area) {
   if (const auto story = session.bench.story()) {
     draw_story(ui, session, *story);
   } else {
-    ui.faint_paragraph("looking ...");
+    ui.faint_paragraph(session.bench.busy() ? "looking ..." : "there is no picture to look into");
   }
   ui.end_panel();
 }

@@ -49,7 +49,8 @@ void draw_status(Ui& ui, Session& session, const Area& area) {
     // The bars say it all.
   } else if (const auto problems = session.bench.problems(); !problems.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.bad);
-    ImGui::TextUnformatted(("\xE2\x9C\x97 " + problems.front()).c_str());
+    ImGui::TextUnformatted(
+        ("\xE2\x9C\x97 " + problems.front().substr(0, problems.front().find('\n'))).c_str());
     ImGui::PopStyleColor();
     ui.note("problem", problems.front());
   } else if (session.bench.cancelled()) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "text_layout.h"
+#include "window/files.h"
 #include "window/panels/panels.h"
 #include "window/playing.h"
 
@@ -44,6 +45,9 @@ void draw_buttons(Ui& ui, Session& session) {
 
 void draw_choices(Ui& ui, Session& session) {
   State& state = session.bench.state;
+  ui.beside("GIF", 1.5F * ui.em);
+  if (ui.button("GIF", "The steps as an animation in a file (Ctrl G)")) save_gif(session);
+  ui.beside("steps of the pixel", 1.5F * ui.em);
   ImGui::SetNextItemWidth(5.5F * ui.em);
   auto of = static_cast<std::size_t>(state.steps_of);
   if (ui.combo("steps", of, steps_of_names(),

@@ -1,3 +1,5 @@
+#include <span>
+
 #include "text_layout.h"
 #include "window/panels/panels.h"
 
@@ -28,11 +30,35 @@ std::string words_of(std::string name) {
   return name;
 }
 
+void put_right(const std::string& text) {
+  ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::TextUnformatted(text.c_str());
+}
+
+/// The time that the skip saves, below its count.
+void draw_saved(Ui& ui, Session& session, const Skip& skip) {
+  const auto times = session.bench.skip_times();
+  if (!times) return;
+  const auto saved = times->saved_ms.find(skip.name);
+  if (saved == times->saved_ms.end()) return;
+  // What is less than this part of the picture's time is noise.
+  constexpr double noise = 0.03;
+  std::string text = "saves nothing that can be measured";
+  if (saved->second > noise * times->with_ms) text = "saves " + milliseconds(saved->second);
+  if (saved->second < -noise * times->with_ms) text = "costs " + milliseconds(-saved->second);
+  ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.faint_text);
+  put_right(text);
+  ImGui::PopStyleColor();
+  ui.note(("saved by " + std::string(skip.name)).c_str(),
+          "Measured: the same picture with and without the skip, in turns");
+}
+
 }  // namespace
 
 void draw_work_panel(Ui& ui, Session& session) {
   State& state = session.bench.state;
   const auto picture = session.bench.picture();
+  session.bench.want_skip_times(true);
   const std::span<const Skip> skips =
       session.bench.shows_elsewhere() ? std::span<const Skip>() : state.algorithm.algorithm->skips;
   for (const Skip& skip : skips) {
@@ -49,12 +75,11 @@ void draw_work_panel(Ui& ui, Session& session) {
     const auto count = picture->report.skipped.find(skip.name);
     if (count == picture->report.skipped.end()) continue;
     ImGui::SameLine();
-    const std::string text = grouped(count->second);
-    ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(text.c_str()).x);
-    ImGui::TextUnformatted(text.c_str());
+    put_right(grouped(count->second));
+    draw_saved(ui, session, skip);
   }
   if (!picture || !ImGui::BeginTable("work", 2, ImGuiTableFlags_SizingStretchProp)) return;
-  row(ui, "prepare", milliseconds(picture->prepare_ms));
+  row(ui, "build (once for a scene)", milliseconds(picture->prepare_ms));
   row(ui, "render", milliseconds(picture->render_ms));
   row(ui, "memory", bytes_text(picture->report.bytes));
   for (const auto& [name, count] : picture->report.counters) row(ui, words_of(name), grouped(count));

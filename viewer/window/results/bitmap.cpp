@@ -50,7 +50,14 @@ Bitmap over_backdrop(std::span<const glm::vec4> colors, int width, int height, c
   return bitmap;
 }
 
-std::uint32_t scale_color(double part) {
+ScreenPicture screen_picture(std::span<const glm::vec4> colors, int width, int height,
+                             const glm::vec3& backdrop) {
+  return {backdrop, over_backdrop(colors, width, height, backdrop)};
+}
+
+namespace {
+
+std::uint32_t exact_scale_color(double part) {
   struct Point {
     double red, green, blue;
   };
@@ -72,6 +79,20 @@ std::uint32_t scale_color(double part) {
   const Point& a = points[before];
   const Point& b = points[before + 1];
   return rgba(mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue));
+}
+
+}  // namespace
+
+std::uint32_t scale_color(double part) {
+  // As fine as eight bits can show.
+  constexpr std::size_t steps = 1024;
+  static const std::array<std::uint32_t, steps> table = [] {
+    std::array<std::uint32_t, steps> colors{};
+    for (std::size_t k = 0; k < steps; ++k)
+      colors[k] = exact_scale_color(static_cast<double>(k) / static_cast<double>(steps - 1));
+    return colors;
+  }();
+  return table[static_cast<std::size_t>(std::clamp(part, 0.0, 1.0) * static_cast<double>(steps - 1) + 0.5)];
 }
 
 }  // namespace hsr::window

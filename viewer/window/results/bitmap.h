@@ -16,6 +16,12 @@ struct Bitmap {
   std::vector<std::uint32_t> pixels;
 };
 
+/// A bitmap, and the backdrop that it was made for.
+struct ScreenPicture {
+  glm::vec3 backdrop{0.0F};
+  Bitmap bitmap;
+};
+
 /// One pixel from its bytes.
 constexpr std::uint32_t rgba(unsigned red, unsigned green, unsigned blue, unsigned opacity = 255U) {
   return red | green << 8U | blue << 16U | opacity << 24U;
@@ -23,6 +29,9 @@ constexpr std::uint32_t rgba(unsigned red, unsigned green, unsigned blue, unsign
 
 /// Linear premultiplied colours, row by row, over `backdrop` (linear RGB), opaque.
 Bitmap over_backdrop(std::span<const glm::vec4> colors, int width, int height, const glm::vec3& backdrop);
+
+ScreenPicture screen_picture(std::span<const glm::vec4> colors, int width, int height,
+                             const glm::vec3& backdrop);
 
 /// A colour of the scale from dark blue (0) over green to yellow (1) that stays in order of brightness for
 /// every kind of colour vision and in grey: Nuñez, Anderton and Renslow 2018, "cividis", at nine points.

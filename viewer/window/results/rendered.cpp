@@ -68,6 +68,8 @@ Rendered picture_from_elsewhere(const PictureKey& key, const Surroundings& given
     rendered.render_ms = 1000.0 * rendered.told->seconds;
   }
   rendered.frame = rendered.told->picture.frame;
+  const Frame& frame = rendered.frame;
+  rendered.screen = screen_picture(frame.color, frame.width, frame.height, given.backdrop);
   return rendered;
 }
 
@@ -86,6 +88,8 @@ Rendered render_picture(const PictureKey& key, const Surroundings& given, Prepar
   const Stopwatch stopwatch;
   rendered.report = entry.renderer->render(rendered.view, options, rendered.frame);
   rendered.render_ms = stopwatch.milliseconds();
+  const Frame& frame = rendered.frame;
+  rendered.screen = screen_picture(frame.color, frame.width, frame.height, given.backdrop);
   return rendered;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algorithm.h"
+#include "window/results/bitmap.h"
 #include "window/results/elsewhere.h"
 #include "window/results/model.h"
 
@@ -25,6 +26,7 @@ struct Rendered {
   std::shared_ptr<const Scene> scene;  ///< what `view` points to
   View view;
   Frame frame;
+  ScreenPicture screen;  ///< the same for the screen
   RenderReport report;
   double prepare_ms = 0.0;  ///< what no camera changes; 0 if it was done for an earlier picture
   double render_ms = 0.0;
@@ -59,6 +61,7 @@ struct Surroundings {
   std::shared_ptr<const Model> model;
   int threads = 1;
   ChildLimits limits = {};
+  glm::vec3 backdrop{0.0F};                             ///< of the pictures on the screen
   std::shared_ptr<const FromElsewhere> told = nullptr;  ///< the picture in question, if it is from elsewhere
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <optional>
@@ -27,7 +28,9 @@ struct Trace {
   View view;
   TracedRun run;  ///< only with the steps that are wanted; may be called from several threads
   std::shared_ptr<Player> player;
+  std::shared_ptr<Progress> player_progress;  ///< asked while the player makes its run
   std::uint64_t total = 0;
+  std::vector<Event> order;  ///< the steps that give triangles their places in an order, those in front
 };
 
 Trace make_trace(const TraceKey& key, const Surroundings& given, const Progress& progress);
@@ -37,18 +40,27 @@ struct MomentKey {
   TraceKey trace;
   std::uint64_t step = 0;
   glm::ivec2 pixel{-1};  ///< whose list is wanted
+  Theme theme = Theme::dark;
   bool operator==(const MomentKey&) const = default;
 };
 
 struct Moment {
   std::uint64_t step = 0;
-  Frame frame;
-  std::optional<Event> event;      ///< the step that was made last
-  std::string sentence;            ///< in words
-  std::vector<ListFragment> list;  ///< what the pixel's list holds so far
+  ScreenPicture screen;        ///< the picture after that step
+  std::optional<Event> event;  ///< the step that was made last
+  std::string sentence;        ///< in words
+  std::vector<ListFragment>
+      list;                    ///< what the list holds so far: of the step's pixel, else of that asked for
+  std::vector<Event> visited;  ///< nodes and cells that the step's ray came to, up to now
+  std::vector<Event> order;    ///< the places about that of the step's triangle, by place
 };
 
-Moment find_moment(const MomentKey& key, const Trace& trace);
+Moment find_moment(const MomentKey& key, const Trace& trace, const glm::vec3& backdrop,
+                   const Progress& progress);
+
+/// Writes an animation of the picture while the steps are made. Throws InputError.
+void write_gif_of(const Trace& trace, const std::filesystem::path& file, const Surroundings& given,
+                  const Progress& progress);
 
 /// Steps worth going to.
 struct MarksKey {
@@ -67,6 +79,7 @@ struct Marks {
 };
 
 /// `truth` may be null; then the departure is not looked for.
-Marks find_marks(const MarksKey& key, const Trace& trace, const std::shared_ptr<const Truth>& truth);
+Marks find_marks(const MarksKey& key, const Trace& trace, const std::shared_ptr<const Truth>& truth,
+                 const Progress& progress);
 
 }  // namespace hsr::window

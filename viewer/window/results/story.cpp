@@ -94,6 +94,7 @@ Story tell_story(const StoryKey& key, const Surroundings& given, PreparedRendere
   const auto from_elsewhere = given.told ? told_renderer(given.told) : nullptr;
   Renderer& renderer =
       from_elsewhere ? *from_elsewhere : *prepared.get(*given.model, key.picture, options).renderer;
+  if (key.pixel.x < 0) return story;  // all is prepared
   story.pixel = tell_pixel(story.view, renderer, options, key.pixel.x, key.pixel.y);
   if (!report_progress(progress, "looking into the pixel", 1.0)) throw InputError("stopped");
   const AlgorithmSpec spec = spec_of(key.picture);

@@ -12,7 +12,7 @@ namespace hsr::window {
 /// Which pixel of which picture.
 struct StoryKey {
   PictureKey picture;
-  glm::ivec2 pixel{0};
+  glm::ivec2 pixel{0};  ///< (-1, -1): only prepare the story of any pixel
   bool operator==(const StoryKey&) const = default;
 };
 

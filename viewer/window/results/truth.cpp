@@ -31,6 +31,7 @@ Truth find_truth(const ViewKey& key, const Surroundings& given, const Progress& 
   for (std::size_t pixel = 0; pixel < truth.frame.pixel_count(); ++pixel) {
     truth.frame.depth[pixel] = static_cast<float>(truth.nearest.depth[pixel]);
   }
+  truth.screen = screen_picture(truth.frame.color, truth.frame.width, truth.frame.height, given.backdrop);
   truth.milliseconds = stopwatch.milliseconds();
   return truth;
 }

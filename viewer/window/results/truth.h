@@ -18,6 +18,7 @@ struct Truth {
   std::shared_ptr<const exact::ExactAnswer> answer;
   exact::Nearest nearest;
   Frame frame;  ///< the answer as a picture: the lowest id of the nearest, colours by the exact lists
+  ScreenPicture screen;
   double milliseconds = 0.0;
 };
 

@@ -87,8 +87,8 @@ constexpr std::array commands = {
                     stage.hands.anything(whole("events", words[0], 1, 10000000),
                                          static_cast<unsigned>(whole("seed", words[1], 0, 1000000000)));
                   }},
-    ScriptCommand{"measure", "(frame-ms begins anew)", 0, 0,
-                  [](Stage& stage, ScriptWords) { stage.app.session().slowest_frame_ms = 0.0; }},
+    ScriptCommand{"measure", "(frame-ms, frame-ms-99 and frame-ms-median begin anew)", 0, 0,
+                  [](Stage& stage, ScriptWords) { stage.app.session().frame_times.begin_anew(); }},
     ScriptCommand{"print", "VALUE", 1, 1,
                   [](Stage& stage, ScriptWords words) {
                     const ScriptValue value = script_value(stage.app.session(), words[0]);
@@ -102,6 +102,14 @@ constexpr std::array commands = {
                   [](Stage& stage, ScriptWords words) {
                     stage.hands.wait();
                     check_expectation(stage.app, words);
+                  }},
+    ScriptCommand{"gif", "FILE.gif", 1, 1,
+                  [](Stage& stage, ScriptWords words) {
+                    require_ending("gif", words[0], {".gif"});
+                    stage.hands.wait();
+                    if (!stage.app.session().bench.trace()) throw InputError("there are no steps");
+                    stage.app.session().bench.write_gif(words[0]);
+                    stage.hands.wait();
                   }},
     ScriptCommand{"screenshot", "FILE.png", 1, 1, take_screenshot},
 };

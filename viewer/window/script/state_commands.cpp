@@ -111,8 +111,8 @@ constexpr std::array commands = {
     ScriptCommand{"camera", "EYE TARGET [FOV] as X,Y,Z, or own", 1, 3, set_camera},
     ScriptCommand{"size", "WIDTH HEIGHT of the window", 2, 2,
                   [](Stage& stage, ScriptWords words) {
-                    stage.app.window().resize(
-                        {whole("width", words[0], 320, 7680), whole("height", words[1], 240, 4320)});
+                    stage.state().window =
+                        Extent{whole("width", words[0], 320, 7680), whole("height", words[1], 240, 4320)};
                     stage.hands.frames(3);
                   }},
     ScriptCommand{"picture", "WIDTH HEIGHT, or fit", 1, 2, set_picture},

@@ -5,6 +5,7 @@
 
 #include "nearest_name.h"
 #include "scene/errors.h"
+#include "trace/event_json.h"
 
 namespace hsr::window {
 namespace {
@@ -81,7 +82,38 @@ const std::array values = {
     NamedValue{"eye.x", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.x; }},
     NamedValue{"eye.y", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.y; }},
     NamedValue{"eye.z", [](const Session& s) -> ScriptValue { return s.bench.camera().eye.z; }},
-    NamedValue{"frame-ms", [](const Session& s) -> ScriptValue { return s.slowest_frame_ms; }},
+    NamedValue{"frame-ms", [](const Session& s) -> ScriptValue { return s.frame_times.quantile(1.0); }},
+    NamedValue{"frame-ms-99", [](const Session& s) -> ScriptValue { return s.frame_times.quantile(0.99); }},
+    NamedValue{"frame-ms-median", [](const Session& s) -> ScriptValue { return s.frame_times.quantile(0.5); }},
+    NamedValue{"window.width",
+               [](const Session& s) -> ScriptValue {
+                 return s.bench.state.window ? double(s.bench.state.window->width) : 0.0;
+               }},
+    NamedValue{"frames", [](const Session& s) -> ScriptValue { return double(s.frame_times.count()); }},
+    NamedValue{"picture-ms",
+               [](const Session& s) -> ScriptValue { return require(s.bench.picture(), "picture")->render_ms; }},
+    NamedValue{"build-ms",
+               [](const Session& s) -> ScriptValue { return require(s.bench.picture(), "picture")->prepare_ms; }},
+    NamedValue{"boxes",
+               [](const Session& s) -> ScriptValue {
+                 const auto structure = require(s.bench.structure(), "structure");
+                 return double(structure->nodes.size() + structure->cells.size());
+               }},
+    NamedValue{"visited",
+               [](const Session& s) -> ScriptValue { return double(require(s.bench.moment(), "step")->visited.size()); }},
+    NamedValue{"in-list",
+               [](const Session& s) -> ScriptValue { return double(require(s.bench.moment(), "step")->list.size()); }},
+    NamedValue{"in-order",
+               [](const Session& s) -> ScriptValue { return double(require(s.bench.moment(), "step")->order.size()); }},
+    NamedValue{"kind",
+               [](const Session& s) -> ScriptValue {
+                 const auto moment = require(s.bench.moment(), "step");
+                 return moment->event ? std::string(event_name(moment->event->kind)) : std::string();
+               }},
+    NamedValue{"skips-measured",
+               [](const Session& s) -> ScriptValue {
+                 return double(require(s.bench.skip_times(), "measurement of skips")->saved_ms.size());
+               }},
     NamedValue{"step", [](const Session& s) -> ScriptValue { return number(s.bench.state.step); }},
     NamedValue{
         "steps",
