@@ -30,7 +30,6 @@ class Binner {
   Binner(const View& view, const RasterView& raster, const RenderOptions& options, const TileGrid& grid,
          const std::vector<ScreenVertex>& vertices, TileBins& bins)
       : view_(view),
-        raster_(raster),
         projection_(projection_of(view)),
         grid_(grid),
         vertices_(vertices),
@@ -139,7 +138,6 @@ class Binner {
   static int ceiling(float value) { return -floor(-value); }
 
   const View& view_;
-  const RasterView& raster_;
   Projection projection_;
   const TileGrid& grid_;
   const std::vector<ScreenVertex>& vertices_;

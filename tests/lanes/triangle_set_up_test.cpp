@@ -20,7 +20,7 @@ void set_up_one(const lanes::RasterView& view, const OneTriangle& triangle, OneS
   const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
   lanes::HWY_NAMESPACE::CornerLanes<V> corners;
-  for (int corner = 0; corner < 3; ++corner) {
+  for (std::size_t corner = 0; corner < 3; ++corner) {
     for (int axis = 0; axis < 3; ++axis) {
       corners.position[corner][axis] = hn::Set(d, double{triangle.corner[corner][axis]});
     }
