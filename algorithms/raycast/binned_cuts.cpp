@@ -33,7 +33,8 @@ struct Bin {
   double cost() const {
     if (count == 0) return 0.0;
     constexpr std::uint32_t width = WideTopology::width;
-    return half_area(box) * ((count + width - 1) / width);
+    const std::uint32_t leaves = (count + width - 1) / width;
+    return half_area(box) * leaves;
   }
 };
 

@@ -94,9 +94,15 @@ HWY_INLINE hn::Vec<Floats> row_at(const TileBeam::Plane& row, const hn::Vec<Floa
                                hn::MulAdd(hn::Set(d, row.normal[2]), p[2], hn::Set(d, row.constant))));
 }
 
-/// The blocks in which triangles first ... of a leaf may cover the centre of a pixel, 16 bits each.
-HWY_INLINE hn::Vec<Words> reached_blocks(const TileTracing& tracing, const TileBeam& beam,
-                                         const WideHierarchy::Leaf& leaf, std::size_t first) {
+/// What is known of triangles of a leaf before they are set up.
+struct Reach {
+  hn::Vec<Words> blocks;   ///< those in which they may cover the centre of a pixel, 16 bits each
+  hn::Mask<Words> behind;  ///< those that lie deeper than what every pixel of the tile shows
+};
+
+/// That of triangles first ...; `behind` is the eye depth of the farthest pixel.
+HWY_INLINE Reach reach_of(const TileTracing& tracing, const TileBeam& beam, const WideHierarchy::Leaf& leaf,
+                          float behind, std::size_t first) {
   using V = hn::Vec<Floats>;
   const Floats d;
   const Words words;
@@ -120,9 +126,10 @@ HWY_INLINE hn::Vec<Words> reached_blocks(const TileTracing& tracing, const TileB
     x[k] = hn::Mul(x[k], w[k]);
     y[k] = hn::Mul(y[k], w[k]);
   }
-  const V error =
-      hn::MulAdd(hn::Max(hn::Max(w[0], w[1]), w[2]), hn::Set(d, tracing.beams.box_error(leaf.magnitude)),
-                 hn::Set(d, reciprocal_error));
+  // All that is visible of a triangle is as deep as its nearest corner at least, known to within this / 4.
+  const V depth_error = hn::Set(d, tracing.beams.box_error(leaf.magnitude));
+  const auto hidden = hn::Gt(hn::Sub(least_w, depth_error), hn::Set(d, behind));
+  const V error = hn::MulAdd(hn::Max(hn::Max(w[0], w[1]), w[2]), depth_error, hn::Set(d, reciprocal_error));
   const PixelRange columns = pixel_range(x[0], x[1], x[2], error);
   const PixelRange rows = pixel_range(y[0], y[1], y[2], error);
   const auto outside = hn::Or(is_empty(columns), is_empty(rows));
@@ -132,20 +139,35 @@ HWY_INLINE hn::Vec<Words> reached_blocks(const TileTracing& tracing, const TileB
   const auto has_box =
       hn::And(hn::And(hn::Gt(least_w, hn::Zero(d)), hn::Lt(greatest_w, hn::Set(d, greatest_box_depth))),
               hn::Le(error, hn::Set(d, greatest_box_error)));
-  return hn::IfThenElse(hn::RebindMask(words, has_box), in_box, hn::Set(words, 0xFFFFU));
+  return {hn::IfThenElse(hn::RebindMask(words, has_box), in_box, hn::Set(words, 0xFFFFU)),
+          hn::RebindMask(words, hidden)};
 }
 
-/// Copies the triangles of a leaf that reach a centre of the tile, closed up, or all of them.
+/// Copies the triangles of a leaf that reach a centre of the tile and are not behind, closed up, and counts
+/// those that are left out.
 HWY_INLINE void keep_reaching(const TileTracing& tracing, const TileBeam& beam,
-                              const WideHierarchy::Leaf& leaf, LeafLanes& out) {
+                              const WideHierarchy::Leaf& leaf, float behind, BeamCounts& counts,
+                              LeafLanes& out) {
   const Floats d;
   const Words words;
   out.count = 0;
   for (std::size_t first = 0; first < leaf.count; first += float_lanes) {
     const auto there = hn::FirstN(words, leaf.count - first);
-    const auto blocks =
-        tracing.skip_pixel_boxes ? reached_blocks(tracing, beam, leaf, first) : hn::Set(words, 0xFFFFU);
-    const auto kept = hn::And(there, hn::Ne(blocks, hn::Zero(words)));
+    const Reach reach = reach_of(tracing, beam, leaf, behind, first);
+    auto blocks = reach.blocks;
+    auto kept = there;
+    if (tracing.skip_pixel_boxes) {
+      const auto inside = hn::And(kept, hn::Ne(blocks, hn::Zero(words)));
+      counts.pixel_boxes += hn::CountTrue(words, kept) - hn::CountTrue(words, inside);
+      kept = inside;
+    } else {
+      blocks = hn::Set(words, 0xFFFFU);
+    }
+    if (tracing.skip_behind) {
+      const auto before = hn::AndNot(reach.behind, kept);
+      counts.behind += hn::CountTrue(words, kept) - hn::CountTrue(words, before);
+      kept = before;
+    }
     if (hn::AllFalse(words, kept)) continue;
     const auto kept_floats = hn::RebindMask(d, kept);
     // A vector that is stored whole may reach beyond what is kept, but not beyond the sixteenth, as there

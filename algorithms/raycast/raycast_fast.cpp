@@ -34,7 +34,8 @@ constexpr std::array settings = {Setting{
     build_choices}};
 
 constexpr Skip missed_skip = {"missed", "boxes that the beam of a tile misses are not opened"};
-constexpr Skip behind_skip = {"behind", "boxes behind what every pixel of a tile shows are not opened"};
+constexpr Skip behind_skip = {
+    "behind", "boxes and triangles behind what every pixel of a tile shows are not looked into"};
 constexpr Skip pixel_box_skip = {
     "pixel-boxes", "triangles whose box holds no centre of the tile's pixels are not tested any further"};
 constexpr Skip hidden_block_skip = {

@@ -70,6 +70,7 @@ class TileWalk {
         farthest_(beam_.depth, false),
         depth_factor_(static_cast<float>(tracing.raster.depth_scale * tracing.beams.factor() *
                                          (1.0 + 4.0 * inverse_depth_error))),
+        to_depth_(static_cast<float>(1.0 / tracing.beams.factor())),
         near_(static_cast<float>(tracing.raster.near_depth * tracing.beams.factor() * (1.0 - 0x1p-20))) {}
 
   HWY_INLINE void run() {
@@ -146,8 +147,7 @@ class TileWalk {
 
   HWY_INLINE void visit_leaf(const WideHierarchy::Leaf& leaf) {
     ++worker_.counts.leaves;
-    keep_reaching(tracing_, beam_, leaf, lanes_);
-    worker_.counts.pixel_boxes += leaf.count - lanes_.count;
+    keep_reaching(tracing_, beam_, leaf, behind_ * to_depth_, worker_.counts, lanes_);
     if (lanes_.count == 0) return;
     set_up_planes(tracing_, tile_, lanes_);
     pairs_.count = 0;
@@ -192,6 +192,7 @@ class TileWalk {
   BoxPlane nearest_;
   BoxPlane farthest_;
   float depth_factor_;
+  float to_depth_;  // turns the beam's scaled depths into eye depths
   float near_;
   float behind_ = 0.0F;
   TileWorker::Open* top_ = nullptr;  // of the stack: one behind the last that is on it

@@ -38,7 +38,7 @@ struct BeamCounts {
   std::uint64_t nodes = 0;          ///< nodes whose children were tested
   std::uint64_t leaves = 0;         ///< leaves whose triangles were set up
   std::uint64_t missed = 0;         ///< boxes that a beam misses
-  std::uint64_t behind = 0;         ///< boxes behind what the whole tile shows
+  std::uint64_t behind = 0;         ///< boxes and triangles behind what the whole tile shows
   std::uint64_t pixel_boxes = 0;    ///< triangles of a leaf whose box holds no centre of the tile's pixels
   std::uint64_t hidden_blocks = 0;  ///< blocks that a triangle reaches behind what the block shows
 

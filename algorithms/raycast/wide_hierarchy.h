@@ -66,8 +66,8 @@ class WideHierarchy {
   std::uint64_t bytes() const;
 
  private:
-  void fill_leaf(const Scene& scene, std::size_t leaf);
-  void fill_node(std::size_t node);
+  void fill_leaf(const Scene& scene, std::size_t index);
+  void fill_node(std::size_t index);
 
   glm::vec3 reference_{0.0F};
   std::vector<std::uint32_t> order_;  // primitive ids, leaf by leaf
