@@ -127,3 +127,17 @@ TEST_CASE("newell: the fast version has no wrong pixel on troublesome scenes of 
     REQUIRE(wrong == 0);
   }
 }
+
+TEST_CASE("newell: the fast version cuts one triangle of each cycle of three, and none that are apart") {
+  const Scene cycles = built_in("three-cycles:12");
+  Frame frame(160, 90);
+  frame.faces.emplace();
+  RenderReport report = report_of(hsr::make_view(cycles, *cycles.camera, 160, 90), frame);
+  CHECK(report.counters.at("components") > 3);
+  CHECK(report.counters.at("cuts") == report.counters.at("components"));
+  CHECK(report.counters.at("largest_component") == 3);
+
+  const Scene apart = built_in("separate:200");
+  report = report_of(hsr::make_view(apart, *apart.camera, 160, 90), frame);
+  CHECK(report.counters.at("cuts") == 0);
+}

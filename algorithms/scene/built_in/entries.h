@@ -27,11 +27,14 @@ extern const SceneEntry layers;
 extern const SceneEntry needles;
 extern const SceneEntry one_cell;
 extern const SceneEntry room;
+extern const SceneEntry separate;
 extern const SceneEntry soup;
 extern const SceneEntry stadium;
+extern const SceneEntry stretched;
 extern const SceneEntry teapot;
 extern const SceneEntry terrain;
 extern const SceneEntry three_bars;
+extern const SceneEntry three_cycles;
 extern const SceneEntry woven;
 
 }  // namespace hsr::built_in
