@@ -6,6 +6,7 @@
 
 #include "window/files.h"
 #include "window/playing.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 namespace {
@@ -36,9 +37,13 @@ void move_pixel_by(Session& session) {
 
 template <int Number>
 void choose_algorithm(Session& session) {
-  const auto all = algorithm_catalog();
+  const std::vector<const Algorithm*> all = textbook_algorithms();
   if (Number > static_cast<int>(all.size())) return;
   session.bench.select_algorithm(parse_algorithm_spec(all[Number - 1]->name));
+}
+
+void choose_other_version(Session& session) {
+  session.bench.select_algorithm(other_version(session.bench.state.algorithm));
 }
 
 void show_program(Session& session) {
@@ -90,6 +95,7 @@ constexpr std::array algorithm_actions = {
     Action{"", nullptr, SDLK_7, 0, choose_algorithm<7>},
     Action{"", nullptr, SDLK_8, 0, choose_algorithm<8>},
     Action{"", nullptr, SDLK_9, 0, choose_algorithm<9>},
+    Action{"G", "its fast version, or the textbook's", SDLK_g, 0, choose_other_version},
     Action{"0", "another program's picture (hsr view --from, --picture)", SDLK_0, 0, show_program},
     Action{"F5", "run that program again", SDLK_F5, 0, [](Session& session) { session.bench.run_again(); }},
     Action{"/", "find a scene", SDLK_SLASH, 0, [](Session& session) { session.search_scene = true; }},

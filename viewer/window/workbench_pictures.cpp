@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "window/theme.h"
+#include "window/variants.h"
 #include "window/workbench.h"
 
 namespace hsr::window {
@@ -17,11 +18,8 @@ constexpr int coarsest = 6;
 
 /// The algorithm that makes the same picture sooner, if there is one: for while the camera moves.
 std::string quick_variant(const AlgorithmSpec& spec, const std::string& own) {
-  for (const Algorithm* algorithm : algorithm_catalog()) {
-    const bool same = algorithm->variant_of == spec.algorithm->name && own == spec.algorithm->name;
-    if (same) return std::string(algorithm->name);
-  }
-  return own;
+  const Algorithm* fast = fast_version_of(*spec.algorithm);
+  return fast != nullptr && own == spec.algorithm->name ? std::string(fast->name) : own;
 }
 
 ViewKey coarser(ViewKey key, int times) {

@@ -3,14 +3,15 @@
 
 #include "window/panels/panels.h"
 #include "window/playing.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 
 namespace {
 
-std::string label_of(std::size_t place) {
+std::string label_of(const Algorithm& algorithm, std::size_t place) {
   // Only the first nine have a key.
-  return (place < 9 ? std::to_string(place + 1) + " " : "") + std::string(algorithm_catalog()[place]->name);
+  return (place < 9 ? std::to_string(place + 1) + " " : "") + std::string(algorithm.name);
 }
 
 std::string tip_of(const Algorithm& algorithm) {
@@ -27,12 +28,15 @@ void draw_program_button(Ui& ui, Session& session) {
   ImGui::SameLine();
 }
 
+const Algorithm& chosen_textbook(const Session& session) {
+  return textbook_of(*session.bench.state.algorithm.algorithm);
+}
+
 void draw_algorithm_buttons(Ui& ui, Session& session) {
-  const auto algorithms = algorithm_catalog();
+  const std::vector<const Algorithm*> algorithms = textbook_algorithms();
   for (std::size_t k = 0; k < algorithms.size(); ++k) {
-    const bool chosen =
-        session.bench.state.algorithm.algorithm == algorithms[k] && !session.bench.state.show_elsewhere;
-    if (ui.toggle(label_of(k).c_str(), chosen, tip_of(*algorithms[k]))) {
+    const bool chosen = &chosen_textbook(session) == algorithms[k] && !session.bench.state.show_elsewhere;
+    if (ui.toggle(label_of(*algorithms[k], k).c_str(), chosen, tip_of(*algorithms[k]))) {
       session.bench.select_algorithm(parse_algorithm_spec(algorithms[k]->name));
     }
     ImGui::SameLine();
@@ -41,12 +45,12 @@ void draw_algorithm_buttons(Ui& ui, Session& session) {
 
 /// Where there is no room for a button each.
 void draw_algorithm_list(Ui& ui, Session& session) {
-  const auto algorithms = algorithm_catalog();
+  const std::vector<const Algorithm*> algorithms = textbook_algorithms();
   std::vector<std::string> labels;
   std::size_t chosen = 0;
   for (std::size_t k = 0; k < algorithms.size(); ++k) {
-    labels.push_back(label_of(k));
-    if (session.bench.state.algorithm.algorithm == algorithms[k]) chosen = k;
+    labels.push_back(label_of(*algorithms[k], k));
+    if (&chosen_textbook(session) == algorithms[k]) chosen = k;
   }
   const std::vector<std::string_view> names(labels.begin(), labels.end());
   ImGui::SetNextItemWidth(12.0F * ui.em);
@@ -56,12 +60,25 @@ void draw_algorithm_list(Ui& ui, Session& session) {
   ImGui::SameLine();
 }
 
+constexpr const char* fast_label = "Fast";
+
+void draw_fast_button(Ui& ui, Session& session) {
+  const AlgorithmSpec& spec = session.bench.state.algorithm;
+  if (fast_version_of(*spec.algorithm) == nullptr) return;
+  if (ui.toggle(fast_label, !spec.algorithm->variant_of.empty(), "The fast version, or the textbook's (G)")) {
+    session.bench.select_algorithm(other_version(spec));
+  }
+  ImGui::SameLine();
+}
+
 float buttons_width() {
   const ImGuiStyle& style = ImGui::GetStyle();
-  float width = 0.0F;
-  for (std::size_t k = 0; k < algorithm_catalog().size(); ++k) {
-    width += ImGui::CalcTextSize(label_of(k).c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
-  }
+  const auto width_of = [&style](const std::string& label) {
+    return ImGui::CalcTextSize(label.c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  };
+  float width = width_of(fast_label);
+  const std::vector<const Algorithm*> algorithms = textbook_algorithms();
+  for (std::size_t k = 0; k < algorithms.size(); ++k) width += width_of(label_of(*algorithms[k], k));
   return width;
 }
 
@@ -79,6 +96,7 @@ void draw_bar(Ui& ui, Session& session, const Area& area) {
   } else {
     draw_algorithm_list(ui, session);
   }
+  draw_fast_button(ui, session);
   ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
   if (ui.toggle("Steps", state.stepping, "The algorithm's steps, forward and back (P)"))
     toggle_stepping(session);
