@@ -1,5 +1,6 @@
 #include "window/script/runner.h"
 
+#include <algorithm>
 #include <new>
 #include <ostream>
 #include <vector>
@@ -33,6 +34,26 @@ const ScriptCommand& find_command(const std::vector<std::string>& words) {
   return *found;
 }
 
+/// The blocks of a lesson that are scripts, each between ```hsr-script and ```; all other lines empty, so
+/// that lines keep their numbers.
+std::string script_blocks(const std::string& markdown) {
+  std::string text;
+  bool in_block = false;
+  std::size_t begin = 0;
+  while (begin < markdown.size()) {
+    const std::size_t end = std::min(markdown.find('\n', begin), markdown.size());
+    const std::string_view line(markdown.data() + begin, end - begin);
+    if (line.starts_with("```")) {
+      in_block = !in_block && line == "```hsr-script";
+    } else if (in_block) {
+      text += line;
+    }
+    text += '\n';
+    begin = end + 1;
+  }
+  return text;
+}
+
 /// Does `work`, and says of what it throws in which line of which script it was.
 template <class Work>
 void with_place(const std::string& source, const TextLine& line, Work work) {
@@ -57,7 +78,9 @@ std::vector<TextLine> checked_lines(std::string_view text, const std::string& so
 void check_script(std::string_view text, const std::string& source) { (void)checked_lines(text, source); }
 
 void run_script(App& app, const std::filesystem::path& file, std::ostream& out) {
-  const std::vector<TextLine> lines = checked_lines(read_text_file(file), file.string());
+  const std::string text = read_text_file(file);
+  const bool lesson = file.extension() == ".md";
+  const std::vector<TextLine> lines = checked_lines(lesson ? script_blocks(text) : text, file.string());
   app.recorder().on = true;
   Stage stage = {app, Hands(app), out};
   stage.hands.frames(2);

@@ -11,7 +11,8 @@ class App;
 
 /// Does what a script says, a line after the other, by events of the kind that a person's hands make.
 /// Throws InputError with file and line at the first line that is wrong or whose expectation fails. Commands
-/// and the number of their words are checked before anything is done.
+/// and the number of their words are checked before anything is done. Of a file that ends in .md the blocks
+/// marked hsr-script are done, one after the other.
 void run_script(App& app, const std::filesystem::path& file, std::ostream& out);
 
 /// Checks the commands of a script and the number of their words, as run_script does before it begins.
