@@ -32,7 +32,7 @@ class ExactRegion {
       : projection_(projection), scene_(scene), triangles_(projection, scene) {}
 
   /// -1, 0 or 1: on which side of a line a vertex lies.
-  int sign(const LineName& line, const VertexName& vertex);
+  int sign(const LineName& name, const VertexName& vertex);
   /// The sign of the third coordinate of the cross product of two lines; 0: they are parallel.
   int turn(const LineName& first, const LineName& second);
   /// The sign of a triangle's det; 0: it covers nothing.
@@ -44,8 +44,8 @@ class ExactRegion {
   std::uint64_t evaluations() const { return evaluations_; }
 
  private:
-  bool passes_through(const LineName& line, const VertexName& vertex) const;
-  bool corner_on_line(const LineName& line, std::uint32_t position) const;
+  bool passes_through(const LineName& name, const VertexName& vertex) const;
+  bool corner_on_line(const LineName& name, std::uint32_t position) const;
   Homogeneous<Dyadic> line(const LineName& name);
   Homogeneous<Dyadic> point(const VertexName& name);
   Homogeneous<Dyadic> corner(std::uint32_t position) const;

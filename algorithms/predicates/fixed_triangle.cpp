@@ -56,7 +56,7 @@ WideWhole<R> product(const WideWhole<N>& p, const WideWhole<M>& q) {
   const WideWhole<N> a = size_of(p);
   const WideWhole<M> b = size_of(q);
   WideWhole<R> result{};
-  for (std::size_t i = 0; i < N && i < R; ++i) {
+  for (std::size_t i = 0; i < std::min(N, R); ++i) {
     if (a[i] == 0) continue;  // most parts of most numbers are
     std::uint64_t carry = 0;
     for (std::size_t k = 0; k < M && i + k < R; ++k) {

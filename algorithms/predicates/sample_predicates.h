@@ -52,7 +52,7 @@ class SamplePredicates {
     std::uint32_t id = background_id;
     std::optional<FixedTriangle> triangle;
   };
-  bool exactly_covers(const SampleTriangle& triangle, double a, double b);
+  bool exactly_covers(const SampleTriangle& filtered, double a, double b);
   const std::optional<FixedTriangle>& fixed_triangle(std::uint32_t id);
   int exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b);
 
