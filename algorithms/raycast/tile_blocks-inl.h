@@ -104,11 +104,11 @@ HWY_NOINLINE void judge_pixel(const TileTracing& tracing, std::uint32_t id, floa
 
 /// What the filter left open at the pixels from first_place on, as many as a vector holds.
 struct alignas(64) OpenPixels {
+  /// What to store where the triangle is shown, 0 if the Judge is to say. What a tile holds depends on the
+  /// triangle that is shown alone, and not on who found that out. First, as vectors must be aligned.
+  std::array<float, Tile::block_pixels> inverse_depth;
   std::uint32_t open;     ///< their bits
   std::uint32_t covered;  ///< of those that are surely covered, so that only their depth is in question
-  /// What to store where the triangle is shown, 0 if the Judge is to say. What a tile holds depends on the
-  /// triangle that is shown alone, and not on who found that out.
-  std::array<float, Tile::block_pixels> inverse_depth;
 };
 
 /// Settles open pixels of triangle `id`. Where what is shown lies in the same plane, all pixels are tied.
