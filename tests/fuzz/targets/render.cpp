@@ -88,7 +88,7 @@ void render(std::string_view bytes) {
     const AlgorithmSpec defaults = parse_algorithm_spec(algorithm->name);
     const Frame frame = rendered(*algorithm, defaults.settings, options, *view);
     check_frame(frame, *view, algorithm->name);
-    if (algorithm->traits.exact) check_exact_frame(frame, nearest, algorithm->name);
+    if (algorithm->traits.exact) check_exact_frame(frame, nearest, exact, *algorithm);
 
     const AlgorithmSpec chosen = choices.spec(*algorithm);
     check_frame(rendered(*algorithm, chosen.settings, options, *view), *view, chosen.text());
