@@ -2,17 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 
 #include "predicates/homogeneous.h"
+#include "predicates/wide_whole.h"
 #include "scene/scene.h"
 
 namespace hsr {
-
-/// A whole number of N · 64 bits, two's complement, lowest part first. Sums and products that do not fit are
-/// the caller's mistake.
-template <std::size_t N>
-using WideWhole = std::array<std::uint64_t, N>;
 
 /// The numbers of a projection as whole numbers times one power of two.
 struct FixedProjection {
@@ -23,6 +21,11 @@ struct FixedProjection {
 
 /// Nothing where the numbers' exponents differ by too much (some 70 binary digits) for 126 bits.
 std::optional<FixedProjection> fixed_projection(const Projection& projection);
+
+/// Points in clip space as whole numbers times one power of two, the same for all of them. False where the
+/// positions' exponents differ by too much. As many of `clip` as of `world`.
+bool fixed_clip_from_world(const FixedProjection& projection, std::span<const glm::vec3> world,
+                           std::span<Homogeneous<WideWhole<3>>> clip);
 
 /// The edges of a triangle in exact numbers of fixed width: a hundred times faster than numbers of any size,
 /// and wide enough for nearly all scenes.

@@ -8,8 +8,9 @@ namespace hsr {
 
 namespace {
 
-// A power of two: the triangles that were asked about last.
+// Powers of two: the triangles and corners that were asked about last.
 constexpr std::size_t fixed_entries = 64;
+constexpr std::size_t whole_entries = 256;
 
 bool whole(double number) { return number == std::floor(number); }
 
@@ -24,7 +25,8 @@ SamplePredicates::SamplePredicates(const Projection& projection, const Scene& sc
       triangles_(projection, scene),
       scene_(scene),
       fixed_projection_(fixed_projection(projection)),
-      fixed_triangles_(fixed_projection_ ? fixed_entries : 0) {}
+      fixed_triangles_(fixed_projection_ ? fixed_entries : 0),
+      whole_corners_(fixed_projection_ ? whole_entries : 0) {}
 
 std::optional<SampleTriangle> SamplePredicates::set_up(std::uint32_t id,
                                                        const std::array<Homogeneous<Bounded>, 3>& corner) {
@@ -66,17 +68,37 @@ const std::optional<FixedTriangle>& SamplePredicates::fixed_triangle(std::uint32
   return entry.triangle;
 }
 
+const WholeCorner& SamplePredicates::corner(std::uint32_t id, std::size_t k) {
+  const std::uint32_t vertex = scene_.triangles[id].corners[k];
+  WholeEntry& entry = whole_corners_[vertex % whole_entries];
+  if (entry.vertex != vertex) {
+    entry = {vertex, whole_corner(projection_, *fixed_projection_, scene_.positions[vertex])};
+  }
+  return entry.corner;
+}
+
+// Nothing where the numbers do not fit.
+std::optional<bool> SamplePredicates::covers_in_fixed_width(const SampleTriangle& filtered, double a,
+                                                            double b) {
+  if (!fixed_projection_ || !filtered.within_depth_range || !whole(a) || !whole(b)) return std::nullopt;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (filtered.edge[k].at(a, b) > filtered.edge[k].bound) continue;
+    const WholeCorner from = corner(filtered.id, (k + 1) % 3);  // a copy: both may have one place
+    std::optional<int> sign = edge_sign(from, corner(filtered.id, (k + 2) % 3), static_cast<std::int64_t>(a),
+                                        static_cast<std::int64_t>(b));
+    if (!sign) {
+      const std::optional<FixedTriangle>& fixed = fixed_triangle(filtered.id);
+      if (!fixed) return std::nullopt;
+      sign = fixed->edge_sign(k, a, b);
+    }
+    if (*sign * (filtered.front ? 1 : -1) < 0) return false;
+  }
+  return true;
+}
+
 bool SamplePredicates::exactly_covers(const SampleTriangle& filtered, double a, double b) {
   ++exact_evaluations_;
-  if (fixed_projection_ && filtered.within_depth_range && whole(a) && whole(b)) {
-    if (const std::optional<FixedTriangle>& fixed = fixed_triangle(filtered.id)) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (filtered.edge[k].at(a, b) > filtered.edge[k].bound) continue;
-        if (fixed->edge_sign(k, a, b) * (filtered.front ? 1 : -1) < 0) return false;
-      }
-      return true;
-    }
-  }
+  if (const std::optional<bool> known = covers_in_fixed_width(filtered, a, b)) return *known;
   const ExactTriangle& triangle = triangles_.one(filtered.id);
   if (triangle.orientation == 0) return false;
   for (const Homogeneous<Dyadic>& edge : triangle.oriented.edge) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "predicates/fixed_triangle.h"
 #include "predicates/homogeneous.h"
 #include "predicates/sample_triangle.h"
+#include "predicates/whole_corner.h"
 #include "scene/scene.h"
 
 namespace hsr {
@@ -52,8 +54,14 @@ class SamplePredicates {
     std::uint32_t id = background_id;
     std::optional<FixedTriangle> triangle;
   };
+  struct WholeEntry {
+    std::uint32_t vertex = std::numeric_limits<std::uint32_t>::max();
+    WholeCorner corner;
+  };
   bool exactly_covers(const SampleTriangle& filtered, double a, double b);
+  std::optional<bool> covers_in_fixed_width(const SampleTriangle& filtered, double a, double b);
   const std::optional<FixedTriangle>& fixed_triangle(std::uint32_t id);
+  const WholeCorner& corner(std::uint32_t id, std::size_t k);
   int exactly_compare_depth(std::uint32_t p, std::uint32_t q, double a, double b);
 
   Projection projection_;
@@ -64,6 +72,7 @@ class SamplePredicates {
   const Scene& scene_;
   std::optional<FixedProjection> fixed_projection_;
   std::vector<FixedEntry> fixed_triangles_;  // by id modulo their number
+  std::vector<WholeEntry> whole_corners_;    // by vertex modulo their number
 };
 
 // The filters are here so that they are inlined; what they cannot settle is decided elsewhere.

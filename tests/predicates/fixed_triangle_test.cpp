@@ -7,6 +7,7 @@
 #include <random>
 
 #include "predicates/dyadic.h"
+#include "predicates/whole_corner.h"
 #include "support/effort.h"
 #include "support/small_scenes.h"
 #include "view/screen_triangles.h"
@@ -94,4 +95,58 @@ TEST_CASE("predicates: numbers of fixed width find exact zeros and refuse what t
   const hsr::Scene wild =
       hsr::test::scene_of({{{{1e30F, 0.0F, 0.0F}, {1e-30F, 1.0F, 0.0F}, {0.0F, 0.0F, 1.0F}}}});
   CHECK_FALSE(hsr::FixedTriangle::make(*fixed, wild, 0));
+}
+
+TEST_CASE("predicates: corners on pixel centres are found, and settle edges as numbers of any size do") {
+  std::mt19937_64 random(8);
+  // At this distance a centre is at every odd half, so a half in three coordinates is no centre.
+  std::uniform_int_distribution<int> place(-4, 3);
+  int settled = 0;
+  int zeros = 0;
+  for (int round = 0; round < 100; ++round) {
+    const auto coordinate = [&] {
+      return static_cast<float>(place(random)) + (round % 4 == 3 ? 0.25F : 0.5F);
+    };
+    const auto corner = [&] {
+      return glm::vec3(coordinate(), static_cast<float>(place(random)) + 0.5F, 0.0F);
+    };
+    const hsr::Scene scene = hsr::test::scene_of({{corner(), corner(), corner()}});
+    const hsr::View view = hsr::test::front_view(scene, 8, 8, 4.0);
+    const hsr::Projection projection = projection_of(view);
+    const hsr::FixedProjection fixed = *hsr::fixed_projection(projection);
+    std::array<hsr::WholeCorner, 3> whole;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3& point = scene.positions[scene.triangles[0].corners[k]];
+      whole[k] = hsr::whole_corner(projection, fixed, point);
+      REQUIRE(whole[k].b == static_cast<std::int64_t>(2.0F * point.y));
+      REQUIRE(whole[k].a.has_value() == (round % 4 != 3));
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (int pixel = 0; pixel < 64; ++pixel) {
+        const double a = hsr::centre_a(8, pixel % 8);
+        const double b = hsr::centre_b(8, pixel / 8);
+        const std::optional<int> sign =
+            hsr::edge_sign(whole[(k + 1) % 3], whole[(k + 2) % 3], static_cast<std::int64_t>(a),
+                           static_cast<std::int64_t>(b));
+        if (!sign) continue;
+        ++settled;
+        zeros += *sign == 0 ? 1 : 0;
+        REQUIRE(*sign == sign_of_edge(projection, scene, k, a, b));
+      }
+    }
+  }
+  CHECK(settled > 75 * 3 * 64);  // all where both coordinates are whole, some where one is
+  CHECK(zeros > 1000);
+}
+
+TEST_CASE("predicates: a corner beside a pixel centre by the least that a float can say is not on it") {
+  const float beside = std::nextafter(0.5F, 1.0F);
+  const hsr::Scene scene =
+      hsr::test::scene_of({{{{beside, 0.5F, 0.0F}, {1.5F, -0.5F, 0.0F}, {1.5F, 1.5F, 0.0F}}}});
+  const hsr::View view = hsr::test::front_view(scene, 8, 8, 4.0);
+  const hsr::Projection projection = projection_of(view);
+  const hsr::WholeCorner whole =
+      hsr::whole_corner(projection, *hsr::fixed_projection(projection), scene.positions[0]);
+  CHECK_FALSE(whole.a.has_value());
+  CHECK(whole.b == 1);
 }
