@@ -34,6 +34,6 @@ const Algorithm* find_algorithm(std::string_view name) {
   return nullptr;
 }
 
-const Algorithm& default_algorithm() { return zbuffer_algorithm(); }
+const Algorithm& default_algorithm() { return zbuffer_fast_algorithm(); }
 
 }  // namespace hsr

@@ -133,7 +133,7 @@ TEST_CASE("program: neither threads nor skips change the frame") {
 
 TEST_CASE("program: without a file to write, render says how long it took") {
   const std::string out = output_of({"render", "cube", "--size=32x32"});
-  CHECK(out.starts_with("cube, zbuffer: 32x32, 12 triangles; load "));
+  CHECK(out.starts_with("cube, zbuffer-fast: 32x32, 12 triangles; load "));
   CHECK(out.find("wrote") == std::string::npos);
 }
 

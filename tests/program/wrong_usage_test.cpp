@@ -68,7 +68,7 @@ TEST_CASE("program: wrong usage is one line that names the option, and exit code
       {{"render", "box", "-a", "zbuffer[snap=99]"}, "none or a whole number from 2 to 16"},
       {{"render", "box", "--no-skip", "nothing"}, "--no-skip: unknown skip \"nothing\" of zbuffer"},
       {{"render", "box", "-o", "picture.jpg"}, "--output: \"picture.jpg\" must end in .png or .svg"},
-      {{"render", "box", "-o", "picture.svg"}, "zbuffer paints no whole faces"},
+      {{"render", "box", "-o", "picture.svg"}, "zbuffer-fast paints no whole faces"},
       {{"render", "box", "--layers", "picture.png"}, "--layers: \"picture.png\" must end in .exr"},
       {{"render", "box", "--layers", "a.exr", "--stats", "a.exr"}, "--stats: \"a.exr\""},
       {{"render", "box", "-a", "abuffer", "--deep", "picture.png"},
