@@ -1,11 +1,15 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "algorithm.h"
 #include "failures/cause.h"
 #include "scene/catalog.h"
+#include "support/read_image.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
@@ -78,6 +82,51 @@ TEST_CASE("program: compare takes several specs, and measures that do not apply 
   CHECK(json["algorithms"][0]["errors_per_million"].is_null());
   CHECK(json["algorithms"][0]["color"].is_null());
   CHECK(contains(run.out, "zbuffer[depth=unorm16,snap=4]"));
+}
+
+TEST_CASE(
+    "program: heatmaps show as many wrong pixels of a cause as are counted, and where all is right none") {
+  const TemporaryFolder folder;
+  constexpr int width = 60;
+  constexpr int height = 40;
+  const ProgramRun run = run_program({"compare", "crossing", "-s", "60x40", "-a", "painter[key=mean],zbuffer",
+                                      "--heatmap", folder / "heat", "--json", folder / "a.json"});
+  REQUIRE(run.exit_code == 0);
+  const Json json = Json::parse(hsr::test::content_of(folder / "a.json"));
+  // The picture stands below its title: 16 pixels of margin, 28 of letters, 16 of margin.
+  const auto colored = [&](const std::string& file) {
+    const hsr::test::Picture picture = hsr::test::read_png(folder / ("heat/" + file));
+    std::map<std::array<int, 3>, int> pixels;
+    for (int j = 0; j < height; ++j) {
+      for (int i = 0; i < width; ++i) {
+        const std::array<int, 3> color = picture.at(16 + i, 60 + j);
+        if (color[0] != color[1] || color[1] != color[2]) ++pixels[color];
+      }
+    }
+    return pixels;
+  };
+  const std::map<std::array<int, 3>, int> wrong = colored("painter-key-mean-errors.png");
+  const Json& causes = json["algorithms"][0]["causes"];
+  int kinds = 0;
+  for (const auto& [name, pixels] : causes.items()) {
+    if (pixels == 0) continue;
+    CAPTURE(name);
+    ++kinds;
+    CHECK(std::ranges::any_of(
+        wrong, [&, count = pixels.get<int>()](const auto& entry) { return entry.second == count; }));
+  }
+  CHECK(kinds > 0);
+  CHECK(wrong.size() == static_cast<std::size_t>(kinds));
+  CHECK(colored("zbuffer-errors.png").empty());
+  // What is covered has a depth, a list and was written; background is grey.
+  const int covered = json["covered"].get<int>();
+  for (const std::string file :
+       {"depth.png", "list-length.png", "painter-key-mean-overdraw.png", "zbuffer-overdraw.png"}) {
+    CAPTURE(file);
+    int shown = 0;
+    for (const auto& [color, pixels] : colored(file)) shown += pixels;
+    CHECK(shown == covered);
+  }
 }
 
 TEST_CASE("program: list shows every row of the catalogues on 100 columns") {
