@@ -93,7 +93,7 @@ std::span<const SceneEntry> scene_catalog() {
       built_in::city,          built_in::terrain,      built_in::bumpy_sphere,   built_in::soup,
       built_in::big_soup,      built_in::inside_soup,  built_in::behind_a_wall,  built_in::one_cell,
       built_in::far_away,      built_in::aligned_grid, built_in::degenerate,     built_in::separate,
-      built_in::three_cycles,  built_in::stretched,
+      built_in::three_cycles,  built_in::stretched,    built_in::sheets,
   };
   return entries;
 }

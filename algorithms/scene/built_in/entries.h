@@ -28,6 +28,7 @@ extern const SceneEntry needles;
 extern const SceneEntry one_cell;
 extern const SceneEntry room;
 extern const SceneEntry separate;
+extern const SceneEntry sheets;
 extern const SceneEntry soup;
 extern const SceneEntry stadium;
 extern const SceneEntry stretched;
