@@ -3,44 +3,15 @@
 
 #include "commands/commands.h"
 #include "comparison.h"
-#include "exact/exact_colors.h"
-#include "exact/sampled_colors.h"
 #include "heatmaps.h"
-#include "lists_by_rows.h"
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
 #include "skip_choice.h"
+#include "truth.h"
 
 namespace hsr {
 namespace {
-
-/// The exact answer of a view, and what was needed to find it.
-struct Truth {
-  exact::ExactAnswer answer;
-  exact::Nearest nearest;
-  std::vector<glm::vec4> colors;
-  std::vector<glm::vec4> mean_colors;  ///< of 32 × 32 samples, where an algorithm antialiases
-
-  Truth(const View& view, bool antialiased, int threads, const Progress& progress)
-      : answer(view, threads, progress),
-        nearest(answer.nearest(threads, progress)),
-        colors(exact::exact_colors(view, answer, nearest, threads, progress)) {
-    if (antialiased) mean_colors = exact::sampled_colors(view, threads, progress);
-  }
-};
-
-/// Renders once more, with lists, and counts their errors.
-exact::ListErrors list_errors(Renderer& renderer, const View& view, const RenderOptions& options,
-                              const Truth& truth) {
-  exact::ListErrors errors;
-  render_lists_by_rows(renderer, view, options, "comparing the lists",
-                       [&](const FragmentLists& lists, int first, int rows) {
-                         errors += exact::measure_list_errors(lists, truth.answer, view.width,
-                                                              {first, first + rows}, options.threads);
-                       });
-  return errors;
-}
 
 ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const RenderOptions& options,
                               const Truth& truth, const std::optional<std::filesystem::path>& heatmaps) {
@@ -54,8 +25,8 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
   (void)renderer->render(view, options, frame);
   compared.render_ms = render.milliseconds();
   const Traits& traits = spec.algorithm->traits;
-  compared.errors = exact::measure_errors(frame, truth.answer, truth.nearest,
-                                          traits.antialiased ? truth.mean_colors : truth.colors);
+  compared.errors =
+      exact::measure_errors(frame, truth.answer, truth.nearest, truth.wanted_colors(*spec.algorithm));
   OrderingFailures failures =
       find_failures(view, spec, options, frame, truth.answer, truth.nearest, truth.colors);
   compared.causes = failures.pixels;
@@ -63,7 +34,7 @@ ComparedAlgorithm compare_one(const AlgorithmSpec& spec, const View& view, const
   constexpr std::size_t most_pairs = 3;
   failures.pairs.resize(std::min(failures.pairs.size(), most_pairs));
   compared.worst_pairs = std::move(failures.pairs);
-  if (traits.keeps_lists) compared.lists = list_errors(*renderer, view, options, truth);
+  if (traits.keeps_lists) compared.lists = measure_lists(*renderer, view, options, truth);
   return compared;
 }
 
