@@ -69,4 +69,21 @@ TEST_CASE("bench: a ratio is that of the rounds, not of the means") {
   CHECK(slow.median() == doctest::Approx(15.5));
 }
 
+TEST_CASE("bench: who has run often enough drops out, and the others go on in turn") {
+  std::string record;
+  Recorded steady('a', 1.0, record);
+  Recorded slow('b', 2000.0, record);
+  Recorded again('c', 400.0, record);
+  const RepeatLimits limits = {.least = 4, .most = 9, .seconds = 1.0, .settled = 0.05};
+  const std::vector<Repeats> repeats = repeat_in_turn({&steady, &slow, &again}, limits, [] { return true; });
+  // Its first run took longer than all of its time, so that one counts; the third has time for three.
+  CHECK(record == "abcaccacaa");
+  CHECK(repeats[0].timing.ms.size() == 4);
+  CHECK(repeats[0].settled);
+  CHECK(repeats[1].timing.ms == std::vector<double>{2000.0});
+  CHECK_FALSE(repeats[1].settled);
+  CHECK(repeats[2].timing.ms.size() == 3);
+  CHECK_FALSE(repeats[2].settled);
+}
+
 }  // namespace hsr::bench

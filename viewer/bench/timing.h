@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "bench/contestant.h"
@@ -14,6 +15,8 @@ struct Timing {
 
   double least() const;
   double median() const;
+  /// The time that the given share of the runs stays below; 0 if there are none.
+  double at(double share) const;
 };
 
 /// How many times faster the one is than the other, from the ratio of each round, because the machine may be
@@ -39,5 +42,25 @@ struct RaceLimits {
 /// rounds that are whole.
 std::vector<Timing> race(const std::vector<Contestant*>& contestants, const RaceLimits& limits,
                          const std::function<bool()>& keep_going);
+
+/// How often each contestant is to run where some take a thousand times as long as others.
+struct RepeatLimits {
+  int least = 5;
+  int most = 50;
+  double seconds = 1.0;   ///< no further run of a contestant whose runs took that long together
+  double settled = 0.05;  ///< nor of one whose middle half of times lies within this share of their median
+};
+
+/// What came of it.
+struct Repeats {
+  Timing timing;
+  bool settled = false;  ///< at least RepeatLimits::least runs, and the middle half as close as asked
+  std::string failed;    ///< why it took no part, or no further part
+};
+
+/// As race, but every contestant drops out when it has run often enough, those that still run going on in
+/// turn. A contestant whose first run takes longer than its share of time has no other, and that one counts.
+std::vector<Repeats> repeat_in_turn(const std::vector<Contestant*>& contestants, const RepeatLimits& limits,
+                                    const std::function<bool()>& keep_going);
 
 }  // namespace hsr::bench

@@ -2,13 +2,13 @@
 #include <ostream>
 #include <thread>
 
+#include "bench/bench_command.h"
 #include "bench/peers.h"
 #include "bench/speed.h"
 #include "commands/commands.h"
 #include "output_file.h"
 #include "picture.h"
 #include "scene/atomic_file.h"
-#include "scene/errors.h"
 #include "text_layout.h"
 
 namespace hsr {
@@ -29,8 +29,9 @@ std::vector<int> usual_threads() {
 
 bench::SpeedPlan plan_of(const BenchCommand& command) {
   bench::SpeedPlan plan;
+  for (const std::string& name : command.chosen_scenes) plan.scenes.push_back(speed_scene(name));
   for (const std::string& name : command.scenes) plan.scenes.push_back(speed_scene(name));
-  if (command.scenes.empty()) {
+  if (plan.scenes.empty()) {
     for (const bench::SpeedScene& scene : bench::speed_scenes()) {
       if (scene.measuring || !command.quick) plan.scenes.push_back(scene);
     }
@@ -59,10 +60,8 @@ void tell_missing_peers(std::ostream& out) {
     out << paragraph("Not built, as their libraries are not installed: " + missing + ".") << "\n";
 }
 
-}  // namespace
-
-void run(const BenchCommand& command, std::ostream& out) {
-  if (!command.speed) throw UsageError("write: hsr bench --speed");
+/// hsr bench --speed.
+void race(const BenchCommand& command, std::ostream& out) {
   const std::optional<std::filesystem::path> file =
       command.folder ? std::optional(*command.folder / "speed.json") : std::nullopt;
   if (command.folder) make_folder(*command.folder);
@@ -82,6 +81,18 @@ void run(const BenchCommand& command, std::ostream& out) {
   });
   bar.erase();
   if (file) out << "Wrote " << file->string() << ".\n";
+}
+
+}  // namespace
+
+void run(const BenchCommand& command, std::ostream& out) {
+  if (command.compare) {
+    bench::run_comparison(command, out);
+  } else if (command.speed) {
+    race(command, out);
+  } else {
+    bench::run_bench(command, out);
+  }
 }
 
 }  // namespace hsr

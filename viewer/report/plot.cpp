@@ -86,7 +86,7 @@ std::string panel_script(const Plot& plot, std::size_t k, std::size_t first_bloc
   const Panel& panel = plot.panels[k];
   const Scales scales(panel);
   const Area area = area_of(plot, k);
-  std::string script = "\nunset label\n";
+  std::string script = "\nunset label\nunset arrow\n";
   if (k == 0)
     script += "set label " + gnuplot_text(plot.title) + " at screen 0.015, " +
               up(height_of(plot) - 25.0, plot) + " left font title_font\n";
@@ -98,9 +98,16 @@ std::string panel_script(const Plot& plot, std::size_t k, std::size_t first_bloc
       "set lmargin at " + across(area.left) + "\nset rmargin at " + across(area.left + area.width) + "\n";
   script += "set bmargin at " + up(area.bottom, plot) + "\nset tmargin at " +
             up(area.bottom + area.height, plot) + "\n";
-  for (const PlacedLabel& label : place_labels(panel, scales, area))
+  for (const PlacedLabel& label : place_labels(panel, scales, area)) {
     script += "set label " + gnuplot_text(label.text) + " at " + across(label.area.left) + ", " +
               up(label.area.bottom + label.area.height / 2.0, plot) + " left font small_font\n";
+    if (!label.led) continue;
+    const bool above = label.area.bottom > label.point_y;
+    script += "set arrow from " + across(label.point_x) + ", " + up(label.point_y, plot) + " to " +
+              across(label.point_x) + ", " +
+              up(above ? label.area.bottom : label.area.bottom + label.area.height, plot) +
+              " nohead linecolor rgb '#808080' linewidth 1\n";
+  }
   std::vector<std::string> drawn;
   for (std::size_t s = 0; s < panel.series.size(); ++s)
     drawn.push_back(series_script(panel.series[s], first_block + s));

@@ -1,7 +1,6 @@
 #include "report/plot_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -12,10 +11,41 @@ namespace {
 
 constexpr double title_height = 50.0;
 
-bool has_legend(const Plot& plot) {
-  return std::ranges::any_of(plot.panels, [](const Panel& panel) {
-    return std::ranges::any_of(panel.series, [](const Series& series) { return !series.name.empty(); });
-  });
+/// As wide as its longest name needs it.
+double legend_width(const Plot& plot) {
+  constexpr double letter = 0.57 * font_pixels;
+  constexpr double sample = 75.0;
+  std::size_t longest = 0;
+  for (const Panel& panel : plot.panels) {
+    for (const Series& series : panel.series) longest = std::max(longest, text_width(series.name));
+  }
+  return longest == 0 ? 0.0 : sample + letter * static_cast<double>(longest);
+}
+
+/// What a y axis needs for its ticks and its label.
+double left_of_axis(const Panel& panel) {
+  constexpr double letter = 0.57 * font_pixels;
+  std::size_t longest = 0;
+  for (const auto& [value, text] : Scales(panel).y.ticks) longest = std::max(longest, text_width(text));
+  const double label = panel.y.label.empty() ? 25.0 : 55.0;
+  return label + letter * static_cast<double>(longest);
+}
+
+/// Beside, above and below a point; then farther above and below.
+std::vector<Area> places_round(double x, double y, double width) {
+  constexpr double line = 1.2 * small_font_pixels;
+  constexpr double away = 10.0;
+  std::vector<Area> places = {{x + away, y + 4.0, width, line},
+                              {x + away, y - line - 4.0, width, line},
+                              {x - away - width, y + 4.0, width, line},
+                              {x - away - width, y - line - 4.0, width, line}};
+  for (int level = 1; level <= 6; ++level) {
+    for (const double shift : {0.5, 0.1, 0.9}) {
+      places.push_back({x - shift * width, y + level * 1.5 * line, width, line});
+      places.push_back({x - shift * width, y - (level * 1.5 + 1.0) * line, width, line});
+    }
+  }
+  return places;
 }
 
 std::size_t rows_of(const Plot& plot) {
@@ -55,19 +85,13 @@ double height_of(const Plot& plot) {
 }
 
 Area area_of(const Plot& plot, std::size_t k) {
-  constexpr double legend_width = 290.0;
-  constexpr double letter = 0.58 * font_pixels;
-  constexpr double ticks_and_label = 120.0;
   constexpr double above = 45.0;
   constexpr double below = 85.0;
   constexpr double right = 30.0;
-  const double usable = picture_width - (has_legend(plot) ? legend_width : 0.0);
+  const double usable = picture_width - legend_width(plot);
   const double cell_width = usable / static_cast<double>(plot.columns);
   const double cell_height = (height_of(plot) - title_height) / static_cast<double>(rows_of(plot));
-  std::size_t longest = 0;
-  for (const std::string& category : plot.panels[k].y.categories)
-    longest = std::max(longest, text_width(category));
-  const double left = std::max(ticks_and_label, 40.0 + letter * static_cast<double>(longest));
+  const double left = left_of_axis(plot.panels[k]);
   const auto column = static_cast<double>(k % plot.columns);
   const auto row = static_cast<double>(k / plot.columns);
   return {column * cell_width + left, height_of(plot) - title_height - (row + 1.0) * cell_height + below,
@@ -77,8 +101,6 @@ Area area_of(const Plot& plot, std::size_t k) {
 std::vector<PlacedLabel> place_labels(const Panel& panel, const Scales& scales, const Area& area) {
   constexpr double mark = 12.0;
   constexpr double letter = 0.6 * small_font_pixels;
-  constexpr double line = 1.2 * small_font_pixels;
-  constexpr double away = 10.0;
   const auto at = [&](const Point& point) {
     return std::pair{area.left + area.width * scales.x.share(scales.x.place(point.x)),
                      area.bottom + area.height * scales.y.share(scales.y.place(point.y))};
@@ -97,19 +119,15 @@ std::vector<PlacedLabel> place_labels(const Panel& panel, const Scales& scales, 
       if (point.label.empty() || !scales.take(point)) continue;
       const auto [x, y] = at(point);
       const double width = letter * static_cast<double>(text_width(point.label));
-      const std::array<Area, 6> places = {Area{x + away, y + 4.0, width, line},
-                                          Area{x + away, y - line - 4.0, width, line},
-                                          Area{x - away - width, y + 4.0, width, line},
-                                          Area{x - away - width, y - line - 4.0, width, line},
-                                          Area{x - width / 2.0, y + 2.0 * away, width, line},
-                                          Area{x - width / 2.0, y - 2.0 * away - line, width, line}};
+      const std::vector<Area> places = places_round(x, y, width);
       const auto free = std::ranges::find_if(places, [&](const Area& place) {
         return area.holds(place) &&
                std::ranges::none_of(taken, [&](const Area& other) { return other.meets(place); });
       });
       if (free == places.end()) continue;
       taken.push_back(*free);
-      labels.push_back({point.label, *free});
+      constexpr std::ptrdiff_t beside = 4;
+      labels.push_back({point.label, *free, free - places.begin() >= beside, x, y});
     }
   }
   return labels;

@@ -43,10 +43,13 @@ double height_of(const Plot& plot);
 /// Where the axes of panel k stand.
 Area area_of(const Plot& plot, std::size_t k);
 
-/// A text and its place.
+/// A text and its place, and, where that is away from its point, a line to it.
 struct PlacedLabel {
   std::string text;
   Area area;
+  bool led = false;
+  double point_x = 0.0;  ///< in pixels, as the area
+  double point_y = 0.0;
 };
 
 /// The labels of the points of a panel whose axes stand at `area`, beside their points, where they cover no

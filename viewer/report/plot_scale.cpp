@@ -41,12 +41,12 @@ Scale logarithmic_scale(const std::vector<double>& values) {
       const double value = step * std::pow(10.0, decade);
       if (value < scale.low || value > scale.high) continue;
       const bool written =
-          step == 1.0 ? (every <= 1 || (decade - first) % every == 0) : scale.high / scale.low < 100.0;
+          step == 1.0 ? (every <= 1 || (decade - first) % every == 0) : scale.high / scale.low < 300.0;
       if (written) scale.ticks.emplace_back(value, tick_text(value));
     }
   }
   if (has_zero) {
-    constexpr double below = 0.2;
+    constexpr double below = 0.4;
     scale.zero = std::pow(10.0, std::floor(std::log10(least)) - 0.5);
     scale.low = below * scale.zero;
     scale.ticks.emplace_back(scale.zero, "0");
