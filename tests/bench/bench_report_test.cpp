@@ -194,6 +194,7 @@ TEST_CASE("bench: the program writes a page, figures and plots, and compares the
   const test::ProgramRun unknown = test::run_program({"bench", "--only", "tradeof"});
   CHECK(unknown.exit_code == 2);
   CHECK(unknown.err.find("tradeoff") != std::string::npos);
+  CHECK(test::run_program({"bench", "cube", "nosuchscene", "--quick"}).exit_code == 2);
 }
 
 TEST_CASE("bench: a machine in which something became more wrong gets exit code 1") {

@@ -170,7 +170,12 @@ BenchPlan make_plan(const BenchCommand& command) {
     plan.limits = {.least = 3, .most = 9, .seconds = 0.03};
     plan.most_seconds = 0.5;
   }
-  if (command.seconds) plan.limits.seconds = *command.seconds;
+  if (command.seconds) {
+    constexpr double times = 10.0;
+    constexpr double least = 0.5;
+    plan.limits.seconds = *command.seconds;
+    plan.most_seconds = std::max(least, times * *command.seconds);
+  }
   if (wanted(command, "tradeoff")) add_tradeoff(command, plan);
   if (wanted(command, "triangles")) add_triangles(command, plan);
   if (wanted(command, "pixels")) add_pixels(command, plan);

@@ -29,8 +29,9 @@ struct Cell {
   Size size;
   double parameter = 0.0;  ///< as in RunRecord
   std::vector<Entry> entries;
-  /// Whether antialiased pictures are held against 32 × 32 samples, which takes long.
-  bool sampled_colors = false;
+  /// Whether depth lists are held against the exact ones, and antialiased pictures against 32 × 32 samples,
+  /// both of which take long.
+  bool all_errors = false;
 };
 
 struct BenchPlan {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -61,6 +62,17 @@ std::string repeats_sentence(const BenchPlan& plan, const std::vector<RunRecord>
 
 constexpr double steps_of_1974 = 20.0;
 
+/// Better a word on a scene that is none now than after all those before it. Files are read when their turn
+/// comes.
+void require_scenes(const BenchPlan& plan) {
+  for (const Cell& cell : plan.cells) {
+    std::error_code ignored;
+    if (cell.question != Question::tradeoff || std::filesystem::exists(cell.scene, ignored)) continue;
+    ReadReport report;
+    (void)open_scene(cell.scene, report, {});
+  }
+}
+
 }  // namespace
 
 std::string TimeLeft::text(double milliseconds) const {
@@ -89,6 +101,7 @@ std::string identity(const BenchCommand& command) {
 }
 
 BenchReport run_plan(const BenchPlan& plan, report::Journal* journal, const Progress& progress) {
+  require_scenes(plan);
   double total = steps_of_1974 * static_cast<double>(plan.faces_of_1974.size());
   for (const Cell& cell : plan.cells) total += static_cast<double>(cell.entries.size());
   TimeLeft left(total);

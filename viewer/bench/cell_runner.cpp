@@ -67,7 +67,7 @@ RunRecord record_of(const Entry& entry, const Cell& cell, const BenchScene& scen
 }
 
 /// Renders once more, with colours, and compares with the exact answer.
-void take_errors(const Entry& entry, const View& view, const Truth& truth, double most_seconds,
+void take_errors(const Entry& entry, const View& view, const Truth& truth, double most_seconds, bool lists,
                  RunRecord& record) {
   TimeLimit limit(2.0 * most_seconds);
   RenderOptions options;
@@ -86,7 +86,7 @@ void take_errors(const Entry& entry, const View& view, const Truth& truth, doubl
   record.counters = report.counters;
   record.errors =
       exact::measure_errors(frame, truth.answer, truth.nearest, truth.wanted_colors(*entry.spec.algorithm));
-  if (!entry.spec.algorithm->traits.keeps_lists || !entry.skip_off.empty()) return;
+  if (!lists || !entry.spec.algorithm->traits.keeps_lists || !entry.skip_off.empty()) return;
   // It takes a run for each few rows of the picture.
   constexpr double most_milliseconds = 1000.0;
   if (record.render.median() > most_milliseconds) return;
@@ -122,7 +122,7 @@ void run_batch(std::span<const Entry> entries, const Cell& cell, const View& vie
       if (record.peer)
         record.errors = exact::measure_errors(running[k]->picture(), truth.answer, truth.nearest, {});
       else
-        take_errors(entries[places[k]], view, truth, plan.most_seconds, record);
+        take_errors(entries[places[k]], view, truth, plan.most_seconds, cell.all_errors, record);
     } catch (const InputError& error) {
       record.failed = error.what();
     }
@@ -173,7 +173,7 @@ std::vector<RunRecord> run_cell(const Cell& cell, const BenchScene& scene, const
   PictureOptions options;
   options.size = cell.size;
   const View view = choose_view(scene.scene, options);
-  const bool antialiased = cell.sampled_colors && std::ranges::any_of(cell.entries, [](const Entry& entry) {
+  const bool antialiased = cell.all_errors && std::ranges::any_of(cell.entries, [](const Entry& entry) {
                              return entry.peer == nullptr && entry.spec.algorithm->traits.antialiased;
                            });
   const Truth truth(view, antialiased, plan.all_threads, {});

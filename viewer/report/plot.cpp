@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 #include <tuple>
 
@@ -46,40 +47,49 @@ std::string style(const Series& series) {
   // Gnuplot's filled circle, square, triangles, diamond and pentagon, the same open, and crosses.
   constexpr std::array shapes = {7, 5, 9, 13, 11, 15, 6, 4, 8, 12, 10, 14, 2, 1};
   const std::string mark =
-      " pointtype " + std::to_string(shapes[series.look.shape % shapes.size()]) + " pointsize 1.3";
+      " pointtype " + std::to_string(shapes[series.look.shape % shapes.size()]) + " pointsize mark";
   const std::string line = std::string(" linewidth 2") + (series.dashed ? " dashtype 2" : "");
   if (series.line && series.marks) return "with linespoints" + color(series) + mark + line;
   return series.line ? "with lines" + color(series) + line
                      : "with points" + color(series) + mark + " linewidth 2";
 }
 
-bool spreads(const Series& series) {
+bool spreads(const Series& series, std::optional<Spread> Point::*along) {
   return std::ranges::any_of(series.points,
-                             [](const Point& point) { return point.x_spread || point.y_spread; });
+                             [along](const Point& point) { return (point.*along).has_value(); });
 }
 
 /// What draws one series, and what its spreads are drawn with below it.
 std::string series_script(const Series& series, std::size_t block) {
   const std::string data = "data index " + std::to_string(block);
   std::string script;
-  if (spreads(series))
-    script = data + " using 1:2:3:4:5:6 with xyerrorbars pointtype 0 linewidth 1.5" + color(series) +
-             " notitle, \\\n  ";
+  const std::string bars = " pointtype 0 linewidth 1.5" + color(series) + " notitle, \\\n  ";
+  if (spreads(series, &Point::x_spread)) script += data + " using 1:2:3:4 with xerrorbars" + bars;
+  if (spreads(series, &Point::y_spread)) script += data + " using 1:2:5:6 with yerrorbars" + bars;
   return script + data + " using 1:2 " + style(series) + " notitle";
 }
 
-/// An entry for each name, from points that are nowhere.
-std::vector<std::string> legend_entries(const Plot& plot) {
+/// The legend, as a plot without axes whose points are nowhere: as high as the picture, so that all entries
+/// stand below each other.
+std::string legend_script(const Plot& plot) {
   std::vector<std::string_view> names;
-  std::vector<std::string> entries;
+  std::string entries;
   for (const Panel& panel : plot.panels) {
     for (const Series& series : panel.series) {
       if (series.name.empty() || std::ranges::find(names, series.name) != names.end()) continue;
       names.push_back(series.name);
-      entries.push_back("NaN " + style(series) + " title " + gnuplot_text(series.name));
+      entries += (names.size() == 1 ? "plot " : ", \\\n  ") + ("NaN " + style(series)) + " title " +
+                 gnuplot_text(series.name);
     }
   }
-  return entries;
+  if (names.empty()) return {};
+  return "\nunset label\nunset arrow\nunset border\nunset tics\nunset xlabel\nunset ylabel\nunset title\n"
+         "set lmargin at screen 0.5\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen "
+         "1\n"
+         "unset logscale\nset xrange [0:1]\nset yrange [0:1]\n"
+         "set key at screen 0.99, " +
+         up(height_of(plot) - 50.0, plot) + " right top Left reverse samplen 2 spacing 1.25 noenhanced\n" +
+         entries + "\n";
 }
 
 std::string panel_script(const Plot& plot, std::size_t k, std::size_t first_block) {
@@ -91,7 +101,7 @@ std::string panel_script(const Plot& plot, std::size_t k, std::size_t first_bloc
     script += "set label " + gnuplot_text(plot.title) + " at screen 0.015, " +
               up(height_of(plot) - 25.0, plot) + " left font title_font\n";
   script += "set title " + gnuplot_text(panel.title) + "\n";
-  script += "set xlabel " + gnuplot_text(panel.x.label) + "\n";
+  script += "set xlabel " + gnuplot_text(panel.x.label) + " offset 0,0.4\n";
   script += "set ylabel " + gnuplot_text(panel.y.label) + "\n";
   script += ticks_script("x", scales.x) + ticks_script("y", scales.y);
   script +=
@@ -111,7 +121,6 @@ std::string panel_script(const Plot& plot, std::size_t k, std::size_t first_bloc
   std::vector<std::string> drawn;
   for (std::size_t s = 0; s < panel.series.size(); ++s)
     drawn.push_back(series_script(panel.series[s], first_block + s));
-  if (k + 1 == plot.panels.size()) std::ranges::copy(legend_entries(plot), std::back_inserter(drawn));
   if (drawn.empty()) drawn.emplace_back("NaN notitle");
   for (std::size_t s = 0; s < drawn.size(); ++s) script += (s == 0 ? "plot " : ", \\\n  ") + drawn[s];
   return script + "\n";
@@ -174,27 +183,27 @@ std::string plot_script(const Plot& plot) {
       "# Draws " + plot.name + ".svg, or a PNG: gnuplot -e \"format='png'\" " + plot.name + ".gnuplot\n";
   script += "if (!exists(\"format\")) format = 'svg'\n";
   script += "data = " + gnuplot_text(plot.name + ".dat") + "\n";
-  // The sizes of letters are pixels for SVG and points, 4/3 of a pixel, for PNG.
+  // The sizes of letters are pixels for SVG and points, 4/3 of a pixel, for PNG; those of marks differ too.
   const auto font = [](int pixels, double scale) { return "'DejaVu Sans," + number(pixels * scale) + "'"; };
-  for (const auto& [format, scale, terminal] :
-       {std::tuple{"svg", 1.0, "svg dynamic background rgb 'white'"}, std::tuple{"png", 0.75, "pngcairo"}}) {
+  for (const auto& [format, scale, mark, terminal] :
+       {std::tuple{"svg", 1.0, "0.75", "svg dynamic background rgb 'white'"},
+        std::tuple{"png", 0.75, "1.3", "pngcairo"}}) {
     script += std::string("if (format eq '") + format + "') { set terminal " + terminal + " size " + size +
               " noenhanced font " + font(font_pixels, scale) +
               "; small_font = " + font(small_font_pixels, scale) +
-              "; title_font = " + font(font_pixels + 4, scale) + " }\n";
+              "; title_font = " + font(font_pixels + 4, scale) + "; mark = " + mark + " }\n";
   }
   script += "set output " + gnuplot_text(plot.name + ".") + ".format\n";
   script += "set encoding utf8\nset border 3 linewidth 1.5\nset tics nomirror out\n";
   script += "set grid linecolor rgb '#D0D0D0' linewidth 1\n";
-  script += "set key at screen 0.99, " + up(height_of(plot) - 60.0, plot) +
-            " right top Left reverse samplen 2 spacing 1.25 noenhanced\n";
+  script += "unset key\n";
   script += "set multiplot\n";
   std::size_t block = 0;
   for (std::size_t k = 0; k < plot.panels.size(); ++k) {
     script += panel_script(plot, k, block);
     block += plot.panels[k].series.size();
   }
-  return script + "unset multiplot\n";
+  return script + legend_script(plot) + "unset multiplot\n";
 }
 
 PlotFiles write_plot(const Plot& plot, const std::filesystem::path& folder) {
