@@ -18,6 +18,7 @@
 
 #include "lanes/instruction_sets.h"
 #include "parallel.h"
+#include "raycast/leaf_lanes.h"
 #include "raycast/raycast.h"
 #include "raycast/tile_tracer.h"
 #include "raycast/wide_hierarchy.h"
@@ -44,6 +45,15 @@ constexpr Skip hidden_block_skip = {
 constexpr Skip no_tree_skip = {"no-tree", "where all triangles fit one leaf there is no tree to walk"};
 constexpr std::array skips = {missed_skip, behind_skip, pixel_box_skip, hidden_block_skip, no_tree_skip};
 
+/// Whether depths, their inverses and the scale between them are floats with all their bits: only there do
+/// the relative errors of leaf_lanes.h hold. An inverse depth lies between near / far and 2; 2^-126 is the
+/// least float with 24 bits, and what is rounded off the products that make it up is 2^-24 of that.
+bool within_floats(const View& view) {
+  constexpr double greatest = greatest_box_depth;
+  return view.near_depth >= 1.0 / greatest && view.far_depth <= greatest &&
+         view.far_depth / view.near_depth <= greatest;
+}
+
 class FastRayCaster : public Renderer {
  public:
   FastRayCaster(const Scene& scene, const Settings& chosen, const RenderOptions& options)
@@ -55,6 +65,7 @@ class FastRayCaster : public Renderer {
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
+    if (!within_floats(view)) return render_textbook(view, options, frame);
     RenderReport report;
     if (frame.lists || !(all_opaque_ || frame.color.empty())) report = add_textbook(view, options, frame);
     add(cast(view, options, frame), report);
@@ -83,6 +94,20 @@ class FastRayCaster : public Renderer {
       const AlgorithmSpec spec = parse_algorithm_spec(raycast_algorithm().name);
       textbook_ = raycast_algorithm().prepare(scene_, spec.settings, options);
     }
+  }
+
+  // All of a frame by the textbook version.
+  RenderReport render_textbook(const View& view, const RenderOptions& options, Frame& frame) {
+    prepare_textbook(options);
+    Frame whole(view.width, view.height);
+    if (frame.lists) whole.lists.emplace();
+    RenderReport report = textbook_->render(view, options, whole);
+    if (frame.color.empty()) whole.color.clear();
+    frame.id = std::move(whole.id);
+    frame.depth = std::move(whole.depth);
+    frame.color = std::move(whole.color);
+    frame.lists = std::move(whole.lists);
+    return report;
   }
 
   // The colours and lists of a frame by the textbook version.

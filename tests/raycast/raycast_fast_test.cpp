@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <random>
@@ -85,6 +86,23 @@ TEST_CASE("raycast: the fast version is exact far from the origin, and does not 
     const hsr::RenderReport report =
         report_of(hsr::make_view(scene, *scene.camera, 480, 320), "raycast-fast");
     CHECK(report.counters.at("lanes_to_double") * 200 < report.counters.at("lanes"));
+  }
+}
+
+TEST_CASE("raycast: the fast version is exact at the ends of float, and with near next to nothing") {
+  const hsr::Scene scene = built_in("bumpy-sphere:4");
+  for (const int exponent : {-149, -144, -126, -101, -99, 99, 101, 120, 126}) {
+    CAPTURE(exponent);
+    hsr::Scene scaled = scene;
+    for (glm::vec3& position : scaled.positions)
+      position = glm::vec3(glm::dvec3(position) * std::ldexp(1.0, exponent));
+    scaled.camera->eye *= std::ldexp(1.0, exponent);
+    scaled.camera->target *= std::ldexp(1.0, exponent);
+    check_ids(hsr::make_view(scaled, *scaled.camera, 24, 24));
+  }
+  for (const double near : {1e-45, 1e-38, 1e-31, 1e-29}) {
+    CAPTURE(near);
+    check_ids(hsr::make_view(scene, *scene.camera, 24, 24, near, 100.0));
   }
 }
 
