@@ -6,6 +6,7 @@
 #include <deque>
 #include <mutex>
 #include <unordered_map>
+#include <utility>
 
 #include "parallel.h"
 
@@ -31,7 +32,8 @@ void sort_and_unite(Demands& demands) {
 // still true, and at worst a cycle is not found.
 constexpr std::size_t most_of_a_group = 64;
 
-void add_demands(const exact::DepthLists& lists, Demands& demands) {
+template <class Node>
+void add_demands(const exact::DepthLists& lists, const Node& node, Demands& demands) {
   for (std::size_t pixel = 0; pixel + 1 < lists.begin.size(); ++pixel) {
     std::size_t group = lists.begin[pixel];
     std::size_t nearer_group = group;
@@ -43,7 +45,9 @@ void add_demands(const exact::DepthLists& lists, Demands& demands) {
       if (group == lists.begin[pixel]) continue;
       const std::size_t last = group - nearer_group <= most_of_a_group ? group : nearer_group + 1;
       for (std::size_t nearer = nearer_group; nearer < last; ++nearer) {
-        demands.push_back(demand(lists.fragments[place].id, lists.fragments[nearer].id));
+        const std::uint32_t sooner = node(lists.fragments[place].id);
+        const std::uint32_t later = node(lists.fragments[nearer].id);
+        if (sooner != later) demands.push_back(demand(sooner, later));
       }
     }
   }
@@ -52,13 +56,16 @@ void add_demands(const exact::DepthLists& lists, Demands& demands) {
 }  // namespace
 
 DepthOrderGraph::DepthOrderGraph(const View& view, const exact::ExactAnswer& exact, int threads,
-                                 const Progress& progress)
-    : begin_(view.scene->triangles.size() + 1, 0), component_(view.scene->triangles.size(), 0) {
+                                 const Progress& progress, std::vector<std::uint32_t> stands_for)
+    : stands_for_(std::move(stands_for)),
+      begin_(view.scene->triangles.size() + 1, 0),
+      component_(view.scene->triangles.size(), 0) {
   std::mutex mutex;
   std::atomic<int> rows_done = 0;
   parallel_for(view.height, threads, [&](int j) {
     Demands of_row;
-    add_demands(exact.depth_lists(j, j + 1), of_row);
+    add_demands(
+        exact.depth_lists(j, j + 1), [this](std::uint32_t id) { return node(id); }, of_row);
     sort_and_unite(of_row);
     {
       const std::lock_guard lock(mutex);
@@ -124,23 +131,27 @@ void DepthOrderGraph::find_components() {
 }
 
 std::vector<std::uint32_t> DepthOrderGraph::cycle(std::uint32_t sooner, std::uint32_t later) const {
-  if (component_[sooner] != component_[later] || sooner == later) return {};
-  // Breadth first from `sooner` along demands, within the component, until `later` is reached.
-  std::unordered_map<std::uint32_t, std::uint32_t> reached_from = {{sooner, sooner}};
-  std::deque<std::uint32_t> waiting = {sooner};
-  while (!waiting.empty() && !reached_from.contains(later)) {
+  const std::uint32_t first = node(sooner);
+  const std::uint32_t last = node(later);
+  if (component_[first] != component_[last] || first == last) return {};
+  // Breadth first from `first` along demands, within the component, until `last` is reached.
+  std::unordered_map<std::uint32_t, std::uint32_t> reached_from = {{first, first}};
+  std::deque<std::uint32_t> waiting = {first};
+  while (!waiting.empty() && !reached_from.contains(last)) {
     const std::uint32_t id = waiting.front();
     waiting.pop_front();
     for (std::size_t place = begin_[id]; place < begin_[id + 1]; ++place) {
       const std::uint32_t nearer = nearer_of(demands_[place]);
-      if (component_[nearer] != component_[sooner] || !reached_from.emplace(nearer, id).second) continue;
+      if (component_[nearer] != component_[first] || !reached_from.emplace(nearer, id).second) continue;
       waiting.push_back(nearer);
     }
   }
-  if (!reached_from.contains(later)) return {};
-  std::vector<std::uint32_t> cycle = {later};
-  while (cycle.back() != sooner) cycle.push_back(reached_from.at(cycle.back()));
+  if (!reached_from.contains(last)) return {};
+  std::vector<std::uint32_t> cycle = {last};
+  while (cycle.back() != first) cycle.push_back(reached_from.at(cycle.back()));
   std::ranges::reverse(cycle);
+  cycle.front() = sooner;
+  cycle.back() = later;
   return cycle;
 }
 

@@ -12,6 +12,7 @@
 #include "exact/worker.h"
 #include "failures/depth_order_graph.h"
 #include "failures/evidence.h"
+#include "newell/pieces.h"
 #include "predicates/region_predicates.h"
 #include "view/screen_triangles.h"
 #include "view/shading.h"
@@ -82,7 +83,7 @@ class Investigation {
     if (evidence.list_was_full) return Cause::list_overflow;
     const bool shown_covers = pixel.shown != background_id && worker_.covers(pixel.shown, pixel.i, pixel.j);
     if (!shown_covers || !evidence.met_nearest) return Cause::coverage_precision;
-    if (evidence.compared_depths) return Cause::depth_precision;
+    if (evidence.compared_depths || right_with_exact_signs(pixel)) return Cause::depth_precision;
     PairProof& proof = proof_of(pixel.shown, pixel.nearest);
     if (proof.crosses) return Cause::interpenetration;
     if (!cycle_of(proof, pixel).empty()) return Cause::cyclic_overlap;
@@ -90,12 +91,10 @@ class Investigation {
   }
 
   // Neither crossing nor a cycle: an order would have been right here. With a key for each triangle the
-  // key is to blame, without any key the order of the file, which then is the key; Newell's algorithm,
-  // which has the last word over its keys, if it gets the pixel right with exact signs.
+  // key is to blame, without any key the order of the file, which then is the key; but not with Newell's
+  // algorithm, which has the last word over its keys.
   Cause cause_of_order(const WrongPixel& pixel, const AllEvidence& all) {
-    if (spec_.algorithm->traits.exact) {
-      return right_by_default(pixel) ? Cause::depth_precision : Cause::unknown;
-    }
+    if (spec_.algorithm->traits.exact) return Cause::unknown;
     if (maker_ && all.keys.empty()) return Cause::unknown;  // nobody knows what its order goes by
     const auto shown = all.keys.find(pixel.shown);
     const auto nearest = all.keys.find(pixel.nearest);
@@ -107,14 +106,18 @@ class Investigation {
     return shown_is_later ? Cause::sort_key : Cause::unknown;
   }
 
-  bool right_by_default(const WrongPixel& pixel) {
-    if (!default_frame_) {
-      const AlgorithmSpec spec = parse_algorithm_spec(spec_.algorithm->name);
-      default_frame_.emplace(view_.width, view_.height);
-      spec.algorithm->prepare(*view_.scene, spec.settings, options_)
-          ->render(view_, options_, *default_frame_);
+  // Whether the same algorithm, with exact signs and otherwise the same settings, is right here: then the
+  // rounding of its signs is to blame.
+  bool right_with_exact_signs(const WrongPixel& pixel) {
+    const auto predicates = spec_.settings.find("predicates");
+    if (predicates == spec_.settings.end() || predicates->second == "exact") return false;
+    if (!exact_frame_) {
+      Settings settings = spec_.settings;
+      settings["predicates"] = "exact";
+      exact_frame_.emplace(view_.width, view_.height);
+      spec_.algorithm->prepare(*view_.scene, settings, options_)->render(view_, options_, *exact_frame_);
     }
-    return admissible(default_frame_->id[default_frame_->index(pixel.i, pixel.j)], pixel.nearest, pixel.i,
+    return admissible(exact_frame_->id[exact_frame_->index(pixel.i, pixel.j)], pixel.nearest, pixel.i,
                       pixel.j);
   }
 
@@ -144,10 +147,25 @@ class Investigation {
 
   const std::vector<std::uint32_t>& cycle_of(PairProof& proof, const WrongPixel& pixel) {
     if (!proof.cycle) {
-      if (!graph_) graph_.emplace(view_, exact_, options_.threads, options_.progress);
+      if (!graph_) {
+        graph_.emplace(view_, exact_, options_.threads, options_.progress, painted_together());
+      }
       proof.cycle = graph_->cycle(pixel.nearest, pixel.shown);
     }
     return *proof.cycle;
+  }
+
+  // For each triangle one of those that the algorithm orders with it, as DepthOrderGraph takes it.
+  std::vector<std::uint32_t> painted_together() const {
+    const auto faces = spec_.settings.find("faces");
+    if (spec_.algorithm->name != "newell" || faces->second != "on") return {};
+    std::vector<std::uint32_t> stands_for(view_.scene->triangles.size());
+    for (std::uint32_t id = 0; id < stands_for.size(); ++id) stands_for[id] = id;
+    RegionPredicates predicates(projection_of(view_), *view_.scene, SignMethod::exact);
+    for (const WholeFace& face : whole_faces(*view_.scene, predicates, true)) {
+      for (const std::uint32_t id : face.triangles) stands_for[id] = face.plane();
+    }
+    return stands_for;
   }
 
   void note(const WrongPixel& pixel, Cause cause, const AllEvidence& all) {
@@ -227,7 +245,7 @@ class Investigation {
   std::map<std::pair<std::uint32_t, std::uint32_t>, PairProof> proofs_;
   std::unique_ptr<RegionPredicates> regions_;
   std::optional<DepthOrderGraph> graph_;
-  std::optional<Frame> default_frame_;
+  std::optional<Frame> exact_frame_;  // with exact signs, where the algorithm has others
 };
 
 }  // namespace

@@ -115,9 +115,9 @@ void PaintOrder<Trace>::exchange(std::uint32_t p, std::uint32_t q) {
   path_.push_back({q, head_});
 }
 
-// 5. Q is marked: each piece on the path from Q to P hides one before it, and P hides Q. Some plane of
-// these cuts another of them: if all lay on one side of Q's plane, then what hides Q lies before it,
-// and so does what hides that, and so on to P; but P is hidden by Q.
+// 5. Q is marked: each piece on the path from Q to P hides the next one, and P hides Q. Some plane of these
+// cuts another of them: if all lay on one side of Q's plane, then what Q hides would lie behind it, and so
+// would what that hides, and so on to P; but P hides Q.
 template <class Trace>
 bool PaintOrder<Trace>::break_cycle(std::uint32_t p, std::uint32_t q) {
   std::vector<std::uint32_t> cycle;

@@ -86,14 +86,14 @@ void read_values_by_name(const SceneEntry& entry, std::string_view text, std::ve
 
 std::span<const SceneEntry> scene_catalog() {
   static const std::array entries{
-      built_in::box,           built_in::cube,         built_in::three_bars,     built_in::woven,
-      built_in::crossing,      built_in::coplanar,     built_in::duplicate_cube, built_in::hair_apart,
-      built_in::big_and_small, built_in::needles,      built_in::glass,          built_in::layers,
-      built_in::fan,           built_in::teapot,       built_in::stadium,        built_in::room,
-      built_in::city,          built_in::terrain,      built_in::bumpy_sphere,   built_in::soup,
-      built_in::big_soup,      built_in::inside_soup,  built_in::behind_a_wall,  built_in::one_cell,
-      built_in::far_away,      built_in::aligned_grid, built_in::degenerate,     built_in::separate,
-      built_in::three_cycles,  built_in::stretched,    built_in::sheets,
+      built_in::box,         built_in::cube,          built_in::three_bars,     built_in::woven,
+      built_in::crossing,    built_in::coplanar,      built_in::duplicate_cube, built_in::hair_apart,
+      built_in::hair_behind, built_in::big_and_small, built_in::needles,        built_in::glass,
+      built_in::layers,      built_in::fan,           built_in::teapot,         built_in::stadium,
+      built_in::room,        built_in::city,          built_in::terrain,        built_in::bumpy_sphere,
+      built_in::soup,        built_in::big_soup,      built_in::inside_soup,    built_in::behind_a_wall,
+      built_in::one_cell,    built_in::far_away,      built_in::aligned_grid,   built_in::degenerate,
+      built_in::separate,    built_in::three_cycles,  built_in::stretched,      built_in::sheets,
   };
   return entries;
 }

@@ -78,6 +78,16 @@ TEST_CASE("failures: in the scene of three bars every wrong pixel of painter's i
   }
 }
 
+TEST_CASE(
+    "failures: faces that Newell's algorithm orders whole overlap in a cycle where their triangles do not") {
+  check_only_cause(view_of("woven:4", 320, 180), "newell[split=off]", Cause::cyclic_overlap);
+}
+
+TEST_CASE("failures: a patch a hair behind a board fails for the precision of Newell's epsilon") {
+  check_only_cause(view_of("hair-behind"), "newell[predicates=epsilon]", Cause::depth_precision);
+  CHECK(total(failures_of(view_of("hair-behind"), "newell")) == 0);
+}
+
 TEST_CASE("failures: in the scene of crossing triangles every wrong pixel is one that crosses") {
   const View view = view_of("crossing");
   check_only_cause(view, "painter", Cause::interpenetration);

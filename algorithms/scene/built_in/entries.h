@@ -22,6 +22,7 @@ extern const SceneEntry fan;
 extern const SceneEntry far_away;
 extern const SceneEntry glass;
 extern const SceneEntry hair_apart;
+extern const SceneEntry hair_behind;
 extern const SceneEntry inside_soup;
 extern const SceneEntry layers;
 extern const SceneEntry needles;
