@@ -17,6 +17,7 @@
 #include "option_helpers.h"
 #include "scene/errors.h"
 #include "skip_choice.h"
+#include "stress/stress_command_line.h"
 
 namespace hsr {
 namespace {
@@ -358,6 +359,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   PlaceTexts trace_texts;
   ExportCommand export_command;
   BenchCommand bench;
+  StressCommand stress;
+  stress.threads = all_cores();
   ListCommand list;
   add_view(program, view);
   add_render(program, render);
@@ -366,6 +369,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   add_trace(program, trace, trace_texts);
   add_export(program, export_command);
   add_bench(program, bench);
+  add_stress(program, stress);
   add_list(program, list);
   require_known_subcommand(program, argc, argv);
   try {
@@ -395,6 +399,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   }
   if (program.got_subcommand("export")) return export_command;
   if (program.got_subcommand("bench")) return bench;
+  if (program.got_subcommand("stress")) return stress;
   if (program.got_subcommand("list")) return list;
   if (view.picture_file && view.picture_command)
     throw UsageError("--picture and --from cannot both be given");

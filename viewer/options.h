@@ -12,6 +12,7 @@
 #include "bench/bench_options.h"
 #include "child_process.h"
 #include "predicates/pixel_box.h"
+#include "stress/stress_options.h"
 #include "told_output.h"
 #include "values.h"
 
@@ -109,6 +110,6 @@ struct ShowText {
 
 /// What the user wants done.
 using Command = std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
-                             ExportCommand, BenchCommand, ListCommand>;
+                             ExportCommand, BenchCommand, StressCommand, ListCommand>;
 
 }  // namespace hsr

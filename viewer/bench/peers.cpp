@@ -30,8 +30,7 @@ std::filesystem::path peer_program(const PeerEntry& peer) {
 }
 
 std::unique_ptr<Contestant> start(const PeerEntry& peer, const std::string& scene, int width, int height,
-                                  int threads) {
-  std::vector<std::string> environment;
+                                  int threads, std::vector<std::string> environment) {
   // To llvmpipe, one thread is none beside the calling one.
   if (peer.takes_threads_from_environment) {
     environment.push_back("LP_NUM_THREADS=" + std::to_string(threads == 1 ? 0 : threads));

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "bench/contestant.h"
 
@@ -25,8 +27,9 @@ std::span<const PeerEntry> peer_table();
 /// Where a peer's program is, or an empty path if it was not built.
 std::filesystem::path peer_program(const PeerEntry& peer);
 
-/// Starts it with a scene as on the command line. Throws InputError if it cannot do this one.
+/// Starts it with a scene as on the command line. `environment` may hold a camera (peers/peer.h). Throws
+/// InputError if it cannot do this one.
 std::unique_ptr<Contestant> start(const PeerEntry& peer, const std::string& scene, int width, int height,
-                                  int threads);
+                                  int threads, std::vector<std::string> environment = {});
 
 }  // namespace hsr::bench

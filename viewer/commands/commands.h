@@ -30,6 +30,9 @@ void run(const ListCommand& command, std::ostream& out);
 /// hsr bench: run times, beside other programs.
 void run(const BenchCommand& command, std::ostream& out);
 
+/// hsr stress: where each algorithm breaks.
+void run(const StressCommand& command, std::ostream& out);
+
 /// hsr view: the window.
 void run(const ViewCommand& command, std::ostream& out);
 

@@ -2,11 +2,14 @@
 
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "scene/catalog.h"
 #include "scene/read_scene.h"
@@ -21,6 +24,37 @@ int whole_number(std::string_view text) {
     throw std::runtime_error("\"" + std::string(text) + "\" is no number from 1");
   }
   return number;
+}
+
+/// The numbers, with commas between, that a variable of the environment holds; none if there is no such one.
+std::vector<double> numbers_of(const char* variable) {
+  std::vector<double> numbers;
+  const char* text = std::getenv(variable);
+  while (text != nullptr && *text != '\0') {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(text, &end));
+    if (end == text || (*end != ',' && *end != '\0')) {
+      throw std::runtime_error(std::string(variable) + " holds no numbers");
+    }
+    text = *end == ',' ? end + 1 : end;
+  }
+  return numbers;
+}
+
+std::optional<double> number_of(const char* variable) {
+  const std::vector<double> numbers = numbers_of(variable);
+  return numbers.size() == 1 ? std::optional(numbers[0]) : std::nullopt;
+}
+
+void take_camera_from_environment(Camera& camera) {
+  const auto take_point = [](const char* variable, glm::dvec3& point) {
+    const std::vector<double> numbers = numbers_of(variable);
+    if (numbers.size() == 3) point = {numbers[0], numbers[1], numbers[2]};
+  };
+  take_point("HSR_EYE", camera.eye);
+  take_point("HSR_TARGET", camera.target);
+  take_point("HSR_UP", camera.up);
+  camera.vertical_fov_degrees = number_of("HSR_FOV").value_or(camera.vertical_fov_degrees);
 }
 
 double milliseconds_of(const std::function<void()>& work) {
@@ -65,9 +99,12 @@ int peer_main(int count, char** words, const std::function<Peer(const PeerTask&)
     }
     const int width = whole_number(words[4]);
     const int height = whole_number(words[5]);
-    const Camera camera = scene->camera.value_or(
+    Camera camera = scene->camera.value_or(
         framing_camera(*scene, static_cast<double>(width) / static_cast<double>(height)));
-    const PeerTask task = {words[1], whole_number(words[2]), make_view(*scene, camera, width, height)};
+    take_camera_from_environment(camera);
+    const PeerTask task = {
+        words[1], whole_number(words[2]),
+        make_view(*scene, camera, width, height, number_of("HSR_NEAR"), number_of("HSR_FAR"))};
     Peer peer;
     const double prepare_ms = milliseconds_of([&] { peer = prepare(task); });
     std::cout << "ready " << prepare_ms << std::endl;

@@ -17,7 +17,8 @@
 ///   it reads  run         and says  ran MS    having made the picture once
 ///   it reads  picture F   and says  picture F having written ids, then depths, raw
 ///
-/// and ends when there is nothing more to read.
+/// and ends when there is nothing more to read. Where its environment names a camera, that replaces the
+/// scene's own: HSR_EYE, HSR_TARGET, HSR_UP (X,Y,Z) and HSR_FOV (degrees), and HSR_NEAR, HSR_FAR.
 namespace hsr::bench {
 
 /// What a peer is asked to do.
