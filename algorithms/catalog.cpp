@@ -4,8 +4,10 @@
 #include <array>
 
 #include "abuffer/abuffer.h"
+#include "abuffer/abuffer_fast.h"
 #include "algorithm.h"
 #include "depthlist/depthlist.h"
+#include "depthlist/depthlist_fast.h"
 #include "newell/newell.h"
 #include "newell/newell_fast.h"
 #include "none/none.h"
@@ -20,9 +22,10 @@ namespace hsr {
 
 std::span<const Algorithm* const> algorithm_catalog() {
   static const std::array rows = {
-      &none_algorithm(),        &painter_algorithm(), &painter_fast_algorithm(), &newell_algorithm(),
-      &newell_fast_algorithm(), &zbuffer_algorithm(), &zbuffer_fast_algorithm(), &abuffer_algorithm(),
-      &depthlist_algorithm(),   &raycast_algorithm(), &raycast_fast_algorithm(),
+      &none_algorithm(),         &painter_algorithm(),   &painter_fast_algorithm(),   &newell_algorithm(),
+      &newell_fast_algorithm(),  &zbuffer_algorithm(),   &zbuffer_fast_algorithm(),   &abuffer_algorithm(),
+      &abuffer_fast_algorithm(), &depthlist_algorithm(), &depthlist_fast_algorithm(), &raycast_algorithm(),
+      &raycast_fast_algorithm(),
   };
   return rows;
 }

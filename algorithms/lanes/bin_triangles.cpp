@@ -28,7 +28,7 @@ constexpr std::size_t prefetch_distance = 24;  // triangles
 class Binner {
  public:
   Binner(const View& view, const RasterView& raster, const RenderOptions& options, const TileGrid& grid,
-         const std::vector<ScreenVertex>& vertices, TileBins& bins)
+         const std::vector<ScreenVertex>& vertices, double sample_reach, TileBins& bins)
       : view_(view),
         projection_(projection_of(view)),
         grid_(grid),
@@ -37,8 +37,9 @@ class Binner {
         skip_off_screen_(options.uses(off_screen_skip.name)),
         skip_between_centres_(options.uses(between_centres_skip.name)),
         // Centres lie at half a pixel. The sums of centres_from and floor() round by o 2^-24 each.
-        centres_from_(-0.5F - 4.0F * screen_vertex_error(raster)),
-        centres_to_(-0.5F + 4.0F * screen_vertex_error(raster)),
+        centres_from_(-0.5F - static_cast<float>(sample_reach) - 4.0F * screen_vertex_error(raster)),
+        centres_to_(-0.5F + static_cast<float>(sample_reach) + 4.0F * screen_vertex_error(raster)),
+        sample_reach_(sample_reach),
         // Twice, so that they can be compared with depths that are rounded once.
         near_(static_cast<float>(raster.near_depth) * depth_rounded_down * depth_rounded_down),
         far_(static_cast<float>(raster.far_depth) * depth_rounded_up * depth_rounded_up),
@@ -106,7 +107,7 @@ class Binner {
     for (std::size_t k = 0; k < 3; ++k) {
       corner[k] = clip_from_world<Bounded>(projection_, view_.scene->positions[corners[k]]);
     }
-    const PixelBoxAnswer answer = pixel_box(projection_, corner);
+    const PixelBoxAnswer answer = pixel_box(projection_, corner, sample_reach_);
     const TileEntry entry = {id, greatest_inverse_depth(near_)};
     if (answer.kind != BoxKind::on_screen) {
       return add_if_not_skipped(entry, answer.kind == BoxKind::off_screen);
@@ -146,6 +147,7 @@ class Binner {
   bool skip_between_centres_;
   float centres_from_;
   float centres_to_;
+  double sample_reach_;
   float near_;
   float far_;
   float surely_seen_from_;
@@ -158,7 +160,7 @@ class Binner {
 }  // namespace
 
 void BinnedView::bin(const View& view, const RasterView& raster, const RenderOptions& options,
-                     RenderReport& report) {
+                     RenderReport& report, double sample_reach) {
   const Scene& scene = *view.scene;
   grid_ = TileGrid(view.width, view.height);
   vertices_.resize(scene.positions.size());
@@ -174,7 +176,7 @@ void BinnedView::bin(const View& view, const RasterView& raster, const RenderOpt
   parallel_for(static_cast<int>(parts), options.threads, [&](int index) {
     const auto part = static_cast<std::size_t>(index);
     parts_[part].clear(grid_.count());
-    Binner binner(view, raster, options, grid_, vertices_, parts_[part]);
+    Binner binner(view, raster, options, grid_, vertices_, sample_reach, parts_[part]);
     counts[part] =
         binner.bin(scene.triangles.size() * part / parts, scene.triangles.size() * (part + 1) / parts);
   });

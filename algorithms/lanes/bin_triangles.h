@@ -16,8 +16,11 @@ class BinnedView {
  public:
   /// Transforms every vertex and puts every triangle into the tiles that it may cover, with the skips
   /// off-screen and between-centres (skips.h) as the options allow. With a window, tiles outside it stay
-  /// empty. Adds to the report what was left out and the memory.
-  void bin(const View& view, const RasterView& raster, const RenderOptions& options, RenderReport& report);
+  /// empty. Adds to the report what was left out and the memory. With a `sample_reach` above 0 (in pixels,
+  /// below 1/2), a triangle may cover a pixel at samples that far to the right, left, top and bottom of its
+  /// centre.
+  void bin(const View& view, const RasterView& raster, const RenderOptions& options, RenderReport& report,
+           double sample_reach = 0.0);
 
   const TileGrid& grid() const { return grid_; }
   /// How many entries a tile has.

@@ -63,6 +63,9 @@ namespace hsr::lanes {
 //   more than (ζ_1 + ζ_2) comparison_slack: the subtraction, the sum and rounding ζ to float take 4 u of it.
 //   smallest_depth_error keeps ζ above what underflow of floats can lose.
 //
+//   In doubles the same 1/depth errs by double_error v m / |det| in place of float_error u m / |det|: the
+//   plane comes from s and det by a division and a product, and is evaluated with four roundings more.
+//
 //   Range. Products of F and G_k must neither underflow nor overflow: all must lie in [2^-300, 2^300], or the
 //   triangle is not for the filter. Products that underflow nevertheless (differences that cancel) lose
 //   2^-1074, which is nothing to v F G_1 >= 2^-653.
@@ -74,6 +77,7 @@ inline constexpr double v = 0x1p-53;
 inline constexpr double u = 0x1p-24;
 inline constexpr int float_roundings = 5;
 inline constexpr double float_error = 5.01;
+inline constexpr double double_error = 8.0;
 inline constexpr double edge_error = 100.0;
 inline constexpr double depth_error = 90.0;
 inline constexpr double determinant_error = 150.0;

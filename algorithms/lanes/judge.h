@@ -34,6 +34,10 @@ class Judge {
   /// The float nearest to the eye depth of a triangle at a pixel that it covers.
   float depth(std::uint32_t id, int i, int j);
 
+  /// A triangle for questions of one's own, until the next question; nothing if it covers no pixel.
+  const std::optional<SampleTriangle>& triangle(std::uint32_t id);
+  SamplePredicates& predicates() { return predicates_; }
+
   /// How many questions about pixels there were.
   std::uint64_t asked() const { return asked_; }
   /// How many of them doubles could not answer.
@@ -49,7 +53,6 @@ class Judge {
     std::uint32_t q = background_id;
     bool same = false;
   };
-  const std::optional<SampleTriangle>& triangle(std::uint32_t id);
   bool find_same_plane(std::uint32_t p, std::uint32_t q);
 
   const View& view_;

@@ -25,4 +25,8 @@ RasterView raster_view(const View& view) {
   return result;
 }
 
+bool suits_floats(const View& view) {
+  return view.near_depth >= 0x1p-80 && view.far_depth <= 0x1p80 && view.far_depth / view.near_depth <= 0x1p80;
+}
+
 }  // namespace hsr::lanes

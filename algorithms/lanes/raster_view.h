@@ -25,4 +25,8 @@ inline constexpr int greatest_overhang = 64;
 
 RasterView raster_view(const View& view);
 
+/// Whether floats tell the view's depths well, times depth_scale and by themselves. Other views are for the
+/// textbook versions.
+bool suits_floats(const View& view);
+
 }  // namespace hsr::lanes

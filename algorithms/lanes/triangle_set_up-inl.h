@@ -66,6 +66,7 @@ struct SetUpLanes {
   Triple<V> edge[3];
   Triple<V> inverse_depth;  ///< depth_scale / depth
   V depth_error;            ///< ζ: how far inverse_depth in floats may be from the truth
+  V depth_error_in_double;  ///< and in doubles, not rounded to floats
   hn::Mask<D> certain;      ///< false: the filter cannot be asked, or the triangle covers nothing at all
 };
 
@@ -150,10 +151,15 @@ HWY_INLINE SetUpLanes<D> set_up_triangles(D d, const RasterView& view, const Cor
 
   const V scale = hn::Div(hn::Set(d, view.depth_scale), det);
   result.inverse_depth = scaled(sum, scale);
-  const V relative = hn::MulAdd(hn::Set(d, 1.01), hn::Div(det_error, det_size), float_share);
-  const V zeta =
-      hn::MulAdd(relative, greatest_value(sum, offsets), hn::Mul(hn::Set(d, depth_error * v), g_1_g_2));
-  result.depth_error = hn::MulAdd(zeta, hn::Abs(scale), hn::Set(d, smallest_depth_error));
+  const V of_det = hn::Mul(hn::Set(d, 1.01), hn::Div(det_error, det_size));
+  const V of_sum = hn::Mul(hn::Set(d, depth_error * v), g_1_g_2);
+  const V size_of_sum = greatest_value(sum, offsets);
+  const auto error_of_depth = [&](V share) HWY_ATTR {
+    const V zeta = hn::MulAdd(hn::Add(of_det, share), size_of_sum, of_sum);
+    return hn::MulAdd(zeta, hn::Abs(scale), hn::Set(d, smallest_depth_error));
+  };
+  result.depth_error = error_of_depth(float_share);
+  result.depth_error_in_double = error_of_depth(hn::Set(d, double_error * v));
   return result;
 }
 

@@ -27,13 +27,10 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <limits>
-#include <mutex>
 
-#include "bands.h"
 #include "lanes/bin_triangles.h"
-#include "parallel.h"
+#include "lanes/each_tile.h"
 #include "skips.h"
 #include "view/shading.h"
 #include "zbuffer/zbuffer.h"
@@ -48,20 +45,8 @@ constexpr std::array<std::string_view, 2> exact_choices = {"yes", "no"};
 constexpr std::array settings = {Setting{
     "exact", "whether what floats cannot settle is settled exactly, or floats are taken at their word",
     exact_choices}};
-constexpr Skip hidden_triangles_skip = {
-    "hidden-triangles", "a triangle behind every block of a tile that it touches is not set up there"};
-constexpr Skip hidden_blocks_skip = {"hidden-blocks",
-                                     "a triangle is not drawn in blocks of 4 x 4 pixels that hide it"};
-constexpr Skip near_to_far_skip = {
-    "near-to-far",
-    "a tile takes its triangles nearest first, and ends when all that is left lies behind all of it"};
 constexpr std::array skips = {off_screen_skip, between_centres_skip, hidden_triangles_skip,
                               hidden_blocks_skip, near_to_far_skip};
-
-// Depths that floats tell well, times depth_scale and by themselves. Others are the textbook version's.
-bool suits_floats(const View& view) {
-  return view.near_depth >= 0x1p-80 && view.far_depth <= 0x1p80 && view.far_depth / view.near_depth <= 0x1p80;
-}
 
 class FastZBuffer : public Renderer {
  public:
@@ -73,12 +58,12 @@ class FastZBuffer : public Renderer {
   }
 
   RenderReport render(const View& view, const RenderOptions& options, Frame& frame) override {
-    if (!suits_floats(view)) return render_as_the_textbook(view, options, frame);
+    if (!lanes::suits_floats(view)) return render_as_the_textbook(view, options, frame);
     RenderReport report;
     const lanes::RasterView raster = lanes::raster_view(view);
     // 1., 2. Transform and bin.
     binned_.bin(view, raster, options, report);
-    // 3. Tiles, on any number of threads.
+    // 3. Tiles.
     const TileFilling how = {view,
                              raster,
                              options.instruction_set,
@@ -100,46 +85,37 @@ class FastZBuffer : public Renderer {
   }
 
  private:
-  TileCounts render_tiles(const TileFilling& how, const RenderOptions& options, Frame& frame) {
-    const Band all = {0, how.view.height, 0, how.view.width - 1};
-    const PixelBox window = all.within(options.window.value_or(PixelBox{0, all.last_i, 0, all.last - 1}));
-    const lanes::TileGrid& grid = binned_.grid();
-    TileCounts counts;
-    std::mutex mutex;
-    std::atomic<int> next = 0;
-    std::atomic<bool> going = true;
-    // Each thread takes the next tile when it is done with one.
-    parallel_for(options.threads, options.threads, [&](int) {
-      TileFiller filler(how);
-      TilePixels pixels;
-      TilePixels nothing;
+  // 3. Each thread takes the next tile when it is done with one.
+  struct Worker {
+    const TileFilling& how;
+    const std::vector<glm::vec4>& colors;
+    Frame& frame;
+    TileFiller filler;
+    TilePixels pixels;
+    TilePixels nothing;
+
+    Worker(const TileFilling& filling, const std::vector<glm::vec4>& table, Frame& shown)
+        : how(filling), colors(table), frame(shown), filler(filling) {
       std::ranges::fill(nothing.inverse_depth, std::numeric_limits<float>::infinity());
       std::ranges::fill(nothing.id, background_id);
-      std::vector<lanes::TileEntry> entries;
-      for (int tile = next++; tile < grid.count() && going; tile = next++) {
-        const int left = grid.left(tile);
-        const int top = grid.top(tile);
-        const PixelBox box =
-            Band{top, top + lanes::tile_size, left, left + lanes::tile_size - 1}.within(window);
-        if (box.empty()) continue;
-        entries.clear();
-        entries.reserve(binned_.count(tile));
-        binned_.for_each(tile, [&](const lanes::TileEntry& entry) { entries.push_back(entry); });
-        // 4. to 10., 11.
-        const TilePixels* shown = &nothing;
-        if (!entries.empty()) {
-          filler.fill(left, top, entries, pixels);
-          resolve_depths(how.instruction_set, how.raster, pixels);
-          shown = &pixels;
-        }
-        store_tile(how.instruction_set, left, top, box, *shown, colors_, frame);
-        if (!report_progress(options.progress, "rendering", static_cast<double>(tile + 1) / grid.count())) {
-          going = false;
-        }
+    }
+    // 4. to 10., 11.
+    void render(lanes::TileTask& task) {
+      const TilePixels* shown = &nothing;
+      if (!task.entries.empty()) {
+        filler.fill(task.left, task.top, task.entries, pixels);
+        resolve_depths(how.instruction_set, how.raster, pixels);
+        shown = &pixels;
       }
-      const std::lock_guard lock(mutex);
-      counts += filler.total();
-    });
+      store_tile(how.instruction_set, task.left, task.top, task.box, *shown, &colors, frame);
+    }
+  };
+
+  TileCounts render_tiles(const TileFilling& how, const RenderOptions& options, Frame& frame) {
+    TileCounts counts;
+    lanes::for_each_tile(
+        binned_, how.view, options, [&] { return Worker(how, colors_, frame); },
+        [&](const Worker& worker) { counts += worker.filler.total(); });
     return counts;
   }
 

@@ -15,8 +15,10 @@
 #include <cstdint>
 #include <limits>
 
+#include "lanes/block_walk-inl.h"
 #include "lanes/filter_bounds.h"
 #include "lanes/judge.h"
+#include "lanes/tile_triangles-inl.h"
 #include "lanes/tiles.h"
 #include "zbuffer/zbuffer_fast_tile.h"
 
@@ -25,49 +27,28 @@ namespace hsr::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A triangle is drawn in floats only if its ζ is at most this part of its least 1/depth. So depths are within
-// 2^-20 and the rounding of two floats, which is less than 2^-19.
-constexpr double relative_depth_error = 0x1p-20;
-
-// The blocks of a tile that an entry may touch.
-struct BlockBox {
-  explicit BlockBox(const lanes::TileEntry& entry)
-      : first_x(entry.first_x / lanes::block_size),
-        last_x(entry.last_x / lanes::block_size),
-        first_y(entry.first_y / lanes::block_size),
-        last_y(entry.last_y / lanes::block_size) {}
-  int columns() const { return last_x - first_x + 1; }
-  int rows() const { return last_y - first_y + 1; }
-
-  int first_x, last_x, first_y, last_y;
-};
-
-// A function x · X + y · Y + w of the pixels (X, Y) of a triangle's blocks, counted from their upper left
-// one.
-struct FloatPlane {
-  float x, y, w;
-};
-
-// A triangle as the filter sees it: the three edges, then 1/depth and its ζ.
-struct FloatTriangle {
-  FloatPlane plane[4];
-  float depth_error;
-};
+using lanes::HWY_NAMESPACE::bits_of;
+using lanes::HWY_NAMESPACE::block_at;
+using lanes::HWY_NAMESPACE::block_count;
+using lanes::HWY_NAMESPACE::block_pixels;
+using lanes::HWY_NAMESPACE::BlockBox;
+using lanes::HWY_NAMESPACE::DoublePlane;
+using lanes::HWY_NAMESPACE::FloatTriangle;
 
 class Blocks {
  public:
+  static constexpr bool wants_doubles = false;
+  static constexpr float certain = 1.0F;
+  static constexpr float sample_reach = 0.0F;
+
   Blocks(TileFiller& filler, int left, int top, TilePixels& pixels)
       : filler_(filler),
         how_(filler.how()),
         counts_(filler.counts()),
         pixels_(pixels),
         left_(left),
-        top_(top) {
-    const double scale = how_.raster.depth_scale;
-    // Rounded outward, far more than two operations on floats can need.
-    far_ = scale / how_.raster.far_depth;
-    near_ = scale / how_.raster.near_depth;
-  }
+        top_(top),
+        range_(how_.raster) {}
 
   void clear() {
     const FloatTag d;
@@ -79,9 +60,6 @@ class Blocks {
     }
     std::fill(pixels_.farthest, pixels_.farthest + block_count, -std::numeric_limits<float>::infinity());
   }
-
-  // The least 1/depth that is seen at all.
-  float least_inverse_depth() const { return static_cast<float>(far_ * (1.0 - 0x1p-22)); }
 
   // Updates `farthest` of the blocks that were drawn to.
   void refresh_farthest() {
@@ -123,14 +101,10 @@ class Blocks {
   }
 
   // 8. Draws a triangle that the filter can deal with.
-  void draw(const lanes::TileEntry& entry, const FloatTriangle& triangle) {
-    const BlockBox box(entry);
-    Brush brush = make_brush(entry, triangle);
-    if (box.columns() <= 2 && box.rows() <= 2) {
-      draw_small(box, triangle, brush);
-    } else {
-      draw_by_rows(box, triangle, brush);
-    }
+  void draw(const lanes::TileEntry& entry, const FloatTriangle& triangle, const DoublePlane&) {
+    const Brush brush = make_brush(entry, triangle);
+    Strokes strokes = {*this, brush};
+    lanes::HWY_NAMESPACE::walk_blocks(BlockBox(entry), triangle, strokes);
     greatest_error_ = std::max(greatest_error_, triangle.depth_error);
   }
 
@@ -157,13 +131,11 @@ class Blocks {
   }
 
  private:
-  using FloatTag = hn::CappedTag<float, lanes::block_size * lanes::block_size>;
-  using IdTag = hn::RebindToUnsigned<FloatTag>;
+  using FloatTag = lanes::HWY_NAMESPACE::BlockFloats;
+  using IdTag = lanes::HWY_NAMESPACE::BlockIds;
   using Floats = hn::Vec<FloatTag>;
   using Mask = hn::Mask<FloatTag>;
-  static constexpr std::size_t lane_count = hn::MaxLanes(FloatTag());
-  static constexpr std::size_t block_pixels = lanes::block_size * lanes::block_size;
-  static constexpr std::size_t block_count = lanes::blocks_across * lanes::blocks_across;
+  static constexpr std::size_t lane_count = lanes::HWY_NAMESPACE::block_lanes;
 
   // What is the same for every block of a triangle.
   struct Brush {
@@ -171,12 +143,28 @@ class Blocks {
     float depth_error;  // ζ
     float sure_margin;  // two values of 1/depth that differ by more are surely ordered
     bool within_range;  // near and far do not cut it
-    alignas(64) float pattern[4][block_pixels];  // each plane's growth from the block's upper left pixel
+    lanes::HWY_NAMESPACE::BlockPattern pattern;
   };
 
-  static std::size_t block_at(int column, int row) {
-    return static_cast<std::size_t>(row * lanes::blocks_across + column);
-  }
+  // A triangle on its way over the blocks.
+  struct Strokes {
+    static constexpr float certain = Blocks::certain;
+    static constexpr float sample_reach = Blocks::sample_reach;
+    Blocks& blocks;
+    const Brush& brush;
+
+    std::uint32_t wanted_blocks(int row, std::uint32_t touched, const float* start, float growth) {
+      if (!blocks.how_.hidden_blocks) return touched;
+      const std::uint32_t hidden = blocks.hidden_blocks(row, start, growth, brush) & touched;
+      blocks.counts_.hidden_blocks += static_cast<std::uint64_t>(std::popcount(hidden));
+      return touched & ~hidden;
+    }
+    template <bool inside>
+    HWY_INLINE void draw_block(int column, int row, const float (&start)[4]) {
+      blocks.draw_block<inside>(column, row, start, brush);
+    }
+  };
+
   static std::size_t pixel_at(int x, int y) {
     return block_at(x / lanes::block_size, y / lanes::block_size) * block_pixels +
            static_cast<std::size_t>(y % lanes::block_size * lanes::block_size + x % lanes::block_size);
@@ -197,95 +185,21 @@ class Blocks {
     brush.sure_margin =
         (triangle.depth_error + std::max(greatest_error_, triangle.depth_error)) * lanes::comparison_slack;
     brush.within_range = entry.farthest > 0.0F;
-    const FloatTag d;
-    for (std::size_t part = 0; part < block_pixels; part += lane_count) {
-      const Floats x = hn::Load(d, across + part);
-      const Floats y = hn::Load(d, down + part);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const FloatPlane& plane = triangle.plane[k];
-        hn::Store(hn::MulAdd(hn::Set(d, plane.x), x, hn::Mul(hn::Set(d, plane.y), y)), d,
-                  brush.pattern[k] + part);
-      }
-    }
+    lanes::HWY_NAMESPACE::make_pattern(triangle, brush.pattern);
     return brush;
   }
 
-  // A triangle that touches four blocks at most.
-  void draw_small(const BlockBox& box, const FloatTriangle& triangle, const Brush& brush) {
-    for (int row = box.first_y; row <= box.last_y; ++row) {
-      const auto y = static_cast<float>((row - box.first_y) * lanes::block_size);
-      for (int column = box.first_x; column <= box.last_x; ++column) {
-        const auto x = static_cast<float>((column - box.first_x) * lanes::block_size);
-        float start[4];
-        for (std::size_t k = 0; k < 4; ++k) {
-          const FloatPlane& plane = triangle.plane[k];
-          start[k] = (plane.w + plane.x * x) + plane.y * y;
-        }
-        draw_block<false>(column, row, start, brush);
-      }
-    }
-  }
-
-  // Row by row of blocks: one vector tells which of the 16 blocks lie outside an edge, which lie inside all
-  // of them, and which are hidden.
-  void draw_by_rows(const BlockBox& box, const FloatTriangle& triangle, const Brush& brush) {
+  // Which blocks of a row show something surely nearer than the triangle is anywhere in them.
+  std::uint32_t hidden_blocks(int row, const float* start, float growth, const Brush& brush) const {
     const FloatTag d;
-    alignas(64) float start_of_row[4][lanes::blocks_across];
-    alignas(64) float start[4][lanes::blocks_across];
-    float to_greatest[4];
-    float to_least[4];
-    const auto first = static_cast<float>(box.first_x * lanes::block_size);
-    constexpr auto last_pixel = static_cast<float>(lanes::block_size - 1);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const FloatPlane& plane = triangle.plane[k];
-      to_greatest[k] = last_pixel * std::max(plane.x, 0.0F) + last_pixel * std::max(plane.y, 0.0F);
-      to_least[k] = last_pixel * std::min(plane.x, 0.0F) + last_pixel * std::min(plane.y, 0.0F);
-      for (std::size_t part = 0; part < lanes::blocks_across; part += lane_count) {
-        const Floats x = hn::Sub(hn::Load(d, block_x + part), hn::Set(d, first));
-        hn::Store(hn::MulAdd(hn::Set(d, plane.x), x, hn::Set(d, plane.w)), d, start_of_row[k] + part);
-      }
-    }
     // The margin is for both ends of the comparison, and once more for the other pixels of the block.
     const float hidden_margin = brush.sure_margin + 2.0F * brush.depth_error;
-    const std::uint32_t in_box = ((2U << box.last_x) - 1U) & ~((1U << box.first_x) - 1U);
-
-    for (int row = box.first_y; row <= box.last_y; ++row) {
-      const auto y = static_cast<float>((row - box.first_y) * lanes::block_size);
-      std::uint32_t touched = 0;
-      std::uint32_t inside = 0;
-      std::uint32_t hidden = 0;
-      for (std::size_t part = 0; part < lanes::blocks_across; part += lane_count) {
-        Floats greatest = hn::Set(d, 1.0F);
-        Floats least = hn::Set(d, 1.0F);
-        for (std::size_t k = 0; k < 4; ++k) {
-          const Floats value =
-              hn::Add(hn::Load(d, start_of_row[k] + part), hn::Set(d, triangle.plane[k].y * y));
-          hn::Store(value, d, start[k] + part);
-          if (k == 3) break;
-          greatest = hn::Min(greatest, hn::Add(value, hn::Set(d, to_greatest[k])));
-          least = hn::Min(least, hn::Add(value, hn::Set(d, to_least[k])));
-        }
-        touched |= bits(hn::Ge(greatest, hn::Set(d, -1.0F))) << part;
-        inside |= bits(hn::Ge(least, hn::Set(d, 1.0F))) << part;
-        const Floats nearest =
-            hn::Add(hn::Load(d, start[3] + part), hn::Set(d, to_greatest[3] + hidden_margin));
-        hidden |= bits(hn::Lt(nearest, hn::Load(d, pixels_.farthest + block_at(0, row) + part))) << part;
-      }
-      touched &= in_box;
-      if (how_.hidden_blocks) {
-        counts_.hidden_blocks += static_cast<std::uint64_t>(std::popcount(touched & hidden));
-        touched &= ~hidden;
-      }
-      for (std::uint32_t rest = touched; rest != 0; rest &= rest - 1) {
-        const int column = std::countr_zero(rest);
-        const float block_start[4] = {start[0][column], start[1][column], start[2][column], start[3][column]};
-        if ((inside >> column & 1U) != 0U) {
-          draw_block<true>(column, row, block_start, brush);
-        } else {
-          draw_block<false>(column, row, block_start, brush);
-        }
-      }
+    std::uint32_t hidden = 0;
+    for (std::size_t part = 0; part < lanes::blocks_across; part += lane_count) {
+      const Floats nearest = hn::Add(hn::Load(d, start + part), hn::Set(d, growth + hidden_margin));
+      hidden |= bits_of(hn::Lt(nearest, hn::Load(d, pixels_.farthest + block_at(0, row) + part))) << part;
     }
+    return hidden;
   }
 
   // 9. One block: covered, and nearer than what is there? Lanes that are not certain are settled one by one.
@@ -296,7 +210,7 @@ class Blocks {
     counts_.lanes.lanes += block_pixels;
     for (std::size_t part = 0; part < block_pixels; part += lane_count) {
       const auto value = [&](std::size_t k) HWY_ATTR {
-        return hn::Add(hn::Set(d, start[k]), hn::Load(d, brush.pattern[k] + part));
+        return hn::Add(hn::Set(d, start[k]), hn::Load(d, brush.pattern.plane[k] + part));
       };
       Floats edges = hn::Set(d, 1.0F);
       if constexpr (!inside) edges = hn::Min(hn::Min(value(0), value(1)), value(2));
@@ -314,7 +228,7 @@ class Blocks {
         maybe = hn::And(maybe, hn::Ge(edges, hn::Set(d, -1.0F)));
         sure = hn::And(sure, hn::Ge(edges, hn::Set(d, 1.0F)));
       }
-      if (!brush.within_range) restrict_to_range(inverse_depth, brush, maybe, sure);
+      if (!brush.within_range) range_.restrict(inverse_depth, brush.depth_error, maybe, sure);
       if (hn::AllFalse(d, maybe)) continue;
       drawn_[row] |= 1U << column;
       hn::BlendedStore(inverse_depth, sure, d, stored);
@@ -325,22 +239,9 @@ class Blocks {
         alignas(64) float values[2][lane_count];
         hn::Store(edges, d, values[0]);
         hn::Store(inverse_depth, d, values[1]);
-        settle(bits(open), values[0], values[1], brush, column, row, part);
+        settle(bits_of(open), values[0], values[1], brush, column, row, part);
       }
     }
-  }
-
-  // Near and far: 1/depth must not be above 1/near nor below 1/far.
-  HWY_INLINE void restrict_to_range(Floats inverse_depth, const Brush& brush, Mask& maybe, Mask& sure) const {
-    const FloatTag d;
-    const auto limit = [&](double value, double change) HWY_ATTR {
-      // Rounded by far less than the slack in ζ.
-      return hn::Set(d, static_cast<float>(value + change * double{brush.depth_error}));
-    };
-    maybe = hn::And(maybe, hn::And(hn::Ge(inverse_depth, limit(far_ * (1.0 - 0x1p-22), -1.0)),
-                                   hn::Le(inverse_depth, limit(near_ * (1.0 + 0x1p-22), 1.0))));
-    sure = hn::And(sure, hn::And(hn::Ge(inverse_depth, limit(far_ * (1.0 + 0x1p-22), 1.0)),
-                                 hn::Le(inverse_depth, limit(near_ * (1.0 - 0x1p-22), -1.0))));
   }
 
   // exact=no: whatever the floats say, rounding and all.
@@ -353,8 +254,8 @@ class Blocks {
         hn::Or(hn::Gt(difference, zero), hn::And(hn::Eq(difference, zero), hn::RebindMask(d, lower_id)));
     shown = hn::And(shown, hn::Ge(edges, zero));
     if (!brush.within_range) {
-      shown = hn::And(shown, hn::And(hn::Ge(inverse_depth, hn::Set(d, static_cast<float>(far_))),
-                                     hn::Le(inverse_depth, hn::Set(d, static_cast<float>(near_)))));
+      shown = hn::And(shown, hn::And(hn::Ge(inverse_depth, hn::Set(d, static_cast<float>(range_.far()))),
+                                     hn::Le(inverse_depth, hn::Set(d, static_cast<float>(range_.near())))));
     }
     drawn_[row] |= 1U << column;
     hn::BlendedStore(inverse_depth, shown, d, pixels_.inverse_depth + pixel);
@@ -411,25 +312,13 @@ class Blocks {
     drawn_[block / lanes::blocks_across] |= 1U << (block % lanes::blocks_across);
   }
 
-  static HWY_INLINE std::uint32_t bits(Mask mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(FloatTag(), mask, bytes);
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U;
-  }
-
-  alignas(64) static constexpr float across[block_pixels] = {0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3};
-  alignas(64) static constexpr float down[block_pixels] = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 3};
-  alignas(64) static constexpr float block_x[lanes::blocks_across] = {0,  4,  8,  12, 16, 20, 24, 28,
-                                                                      32, 36, 40, 44, 48, 52, 56, 60};
-
   TileFiller& filler_;
   const TileFilling& how_;
   TileCounts& counts_;
   TilePixels& pixels_;
   int left_;
   int top_;
-  double far_;                                      // depth_scale / far, the least 1/depth that is seen
-  double near_;                                     // depth_scale / near, the greatest
+  lanes::HWY_NAMESPACE::InverseDepthRange range_;
   float greatest_error_ = 0.0F;                     // ζ of everything drawn so far
   std::uint32_t drawn_[lanes::blocks_across] = {};  // per row, the blocks that changed since the last refresh
 };

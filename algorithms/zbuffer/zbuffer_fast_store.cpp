@@ -110,14 +110,14 @@ void resolve_depths(std::string_view instruction_set, const lanes::RasterView& r
 }
 
 void store_tile(std::string_view instruction_set, int left, int top, const PixelBox& box,
-                const TilePixels& pixels, const std::vector<glm::vec4>& colors, Frame& frame) {
+                const TilePixels& pixels, const std::vector<glm::vec4>* colors, Frame& frame) {
   HWY_DISPATCH_TABLE(store_pixels)[lanes::dispatch_index(instruction_set)](left, top, box, pixels, frame);
-  if (frame.color.empty()) return;
+  if (colors == nullptr || frame.color.empty()) return;
   for (int j = box.first_j; j <= box.last_j; ++j) {
     for (int i = box.first_i; i <= box.last_i; ++i) {
       const std::size_t pixel = frame.index(i, j);
       const std::uint32_t id = frame.id[pixel];
-      frame.color[pixel] = id == background_id ? glm::vec4(0.0F) : colors[id];
+      frame.color[pixel] = id == background_id ? glm::vec4(0.0F) : (*colors)[id];
     }
   }
 }

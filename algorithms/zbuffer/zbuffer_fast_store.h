@@ -14,8 +14,9 @@ namespace hsr {
 void resolve_depths(std::string_view instruction_set, const lanes::RasterView& raster, TilePixels& pixels);
 
 /// Writes the pixels of a tile with resolved depths that lie in `box` to the frame: ids, depths, and colours
-/// out of the table `colors` by id unless the frame has none. (left, top) is the tile's upper left pixel.
+/// out of the table `colors` by id unless it is null or the frame has none. (left, top) is the tile's upper
+/// left pixel.
 void store_tile(std::string_view instruction_set, int left, int top, const PixelBox& box,
-                const TilePixels& pixels, const std::vector<glm::vec4>& colors, Frame& frame);
+                const TilePixels& pixels, const std::vector<glm::vec4>* colors, Frame& frame);
 
 }  // namespace hsr

@@ -14,6 +14,15 @@
 
 namespace hsr {
 
+/// The skips of filling tiles.
+inline constexpr Skip hidden_triangles_skip = {
+    "hidden-triangles", "a triangle behind every block of a tile that it touches is not set up there"};
+inline constexpr Skip hidden_blocks_skip = {"hidden-blocks",
+                                            "a triangle is not drawn in blocks of 4 x 4 pixels that hide it"};
+inline constexpr Skip near_to_far_skip = {
+    "near-to-far",
+    "a tile takes its triangles nearest first, and ends when all that is left lies behind all of it"};
+
 /// A tile finds out what became hidden, and whether anything is left to do, after this many triangles.
 inline constexpr std::size_t refresh_interval = 32;
 

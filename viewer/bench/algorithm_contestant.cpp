@@ -21,7 +21,7 @@ class AlgorithmContestant : public Contestant {
 
   double run() override {
     make_background();
-    if (task_ == Task::lists) frame_.lists.emplace();
+    if (task_ == Task::lists && !frame_.lists) frame_.lists.emplace();
     const Stopwatch stopwatch;
     if (task_ == Task::prepare_and_nearest) renderer_ = prepared();
     (void)renderer_->render(view_, options_, frame_);

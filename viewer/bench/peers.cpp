@@ -15,6 +15,8 @@ std::span<const PeerEntry> peer_table() {
       PeerEntry{"embree-single", "hsr-peer-embree", "single", "Embree, ray by ray", Task::nearest, false},
       PeerEntry{"llvmpipe", "hsr-peer-llvmpipe", "zbuffer", "Mesa's llvmpipe, a z-buffer on the processor",
                 Task::nearest, true},
+      PeerEntry{"llvmpipe-lists", "hsr-peer-llvmpipe", "lists",
+                "Mesa's llvmpipe, a linked list of fragments per pixel, sorted", Task::lists, true},
       PeerEntry{"embree-dynamic", "hsr-peer-embree", "dynamic", "Embree, low-quality build and trace",
                 Task::prepare_and_nearest, false},
   };
