@@ -183,9 +183,9 @@ TEST_CASE("depthlist: few lanes leave the fast version's floats, and coincident 
   for (const std::string name : {"bumpy-sphere:76", "soup:20000", "big-soup", "cube"}) {
     CAPTURE(name);
     const hsr::Scene scene = built_in(name);
-    const hsr::RenderReport report = report_of(own_view(scene, 320, 240), true);
+    const hsr::RenderReport report = report_of(own_view(scene, 640, 480), true);
     CHECK(report.counters.at("lanes") > 10000);
-    CHECK(report.counters.at("lanes_to_double") * 1000 < report.counters.at("lanes"));
+    CHECK(report.counters.at("lanes_to_double") * 500 < report.counters.at("lanes"));
   }
 }
 
