@@ -31,19 +31,27 @@ class Sheet {
   Sheet(MeshBuilder& builder, double middle, double amplitude)
       : builder_(builder), middle_(middle), amplitude_(amplitude) {}
 
-  /// Adds `count` triangles, about as wide as high, to `faces`.
+  /// Adds `count` triangles, about as wide as high, to `faces`: rows of them, each with a triangle for every
+  /// edge of the lines below and above it. So neighbours share their corners, whatever the count.
   void add(int count, std::vector<std::array<std::uint32_t, 3>>& faces) {
     constexpr double aspect = 16.0 / 9.0;
-    const int rows = std::clamp(static_cast<int>(std::lround(std::sqrt(count / (2.0 * aspect)))), 1, count);
-    for (int row = 0; row < rows; ++row) {
-      const int here = share(count, row, rows);
-      add_row(static_cast<double>(row) / rows, (row + 1.0) / rows, here, faces);
+    const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(count / (2.0 * aspect)))));
+    const int each = std::max(1, count / (2 * rows));
+    int left = count - 2 * rows * each;  // an edge more of a line between two rows is two triangles more
+    std::vector<std::uint32_t> below;
+    for (int line = 0; line <= rows; ++line) {
+      const bool inside = line > 0 && line < rows;
+      const bool more = inside && left >= 2;
+      if (more) left -= 2;
+      const int edges = line == rows ? std::max(0, each + left) : each + (more ? 1 : 0);
+      std::vector<std::uint32_t> above = vertices(edges, static_cast<double>(line) / rows);
+      if (line > 0) join(below, above, faces);
+      below = std::move(above);
     }
   }
 
  private:
-  /// A point at shares u, v of the picture. Depth depends on v alone, so that rows meet in straight lines,
-  /// whatever their number of triangles.
+  /// A point at shares u, v of the picture; its depth depends on v alone.
   std::uint32_t vertex(double u, double v) {
     constexpr double waves = 1.5;
     constexpr double half_height = 0.4142135623730951 * 1.02;  // of a picture at distance 1, with a margin
@@ -53,21 +61,30 @@ class Sheet {
     return builder_.vertex({(2.0 * u - 1.0) * half_width * away, (2.0 * v - 1.0) * half_height * away, z});
   }
 
-  /// A row from the left to the right, with a triangle for every edge above and below; a row of one triangle
-  /// cannot fill its half of the picture, and leaves a corner empty.
-  void add_row(double bottom, double top, int count, std::vector<std::array<std::uint32_t, 3>>& faces) {
-    const int below = (count + 1) / 2;
-    const int above = count / 2;
-    std::uint32_t left_below = vertex(0.0, bottom);
-    std::uint32_t left_above = vertex(0.0, top);
-    for (int k = 0; k < below; ++k) {
-      const std::uint32_t right_below = vertex((k + 1.0) / below, bottom);
-      faces.push_back({left_below, right_below, left_above});
-      left_below = right_below;
-      if (k >= above) continue;
-      const std::uint32_t right_above = vertex((k + 1.0) / above, top);
-      faces.push_back({left_above, left_below, right_above});
-      left_above = right_above;
+  /// The corners of a line with so many edges from the left to the right; a line without edges is a point.
+  std::vector<std::uint32_t> vertices(int edges, double v) {
+    std::vector<std::uint32_t> line;
+    for (int k = 0; k <= edges; ++k)
+      line.push_back(vertex(edges == 0 ? 0.0 : static_cast<double>(k) / edges, v));
+    return line;
+  }
+
+  /// A triangle for every edge of both lines, from the left to the right.
+  static void join(const std::vector<std::uint32_t>& below, const std::vector<std::uint32_t>& above,
+                   std::vector<std::array<std::uint32_t, 3>>& faces) {
+    std::size_t b = 0;
+    std::size_t a = 0;
+    while (b + 1 < below.size() || a + 1 < above.size()) {
+      const bool from_below =
+          a + 1 == above.size() ||
+          (b + 1 < below.size() && (b + 1) * (above.size() - 1) <= (a + 1) * (below.size() - 1));
+      if (from_below) {
+        faces.push_back({below[b], below[b + 1], above[a]});
+        ++b;
+      } else {
+        faces.push_back({above[a], below[b], above[a + 1]});
+        ++a;
+      }
     }
   }
 
