@@ -43,7 +43,7 @@ std::string greatest_share(const FamilyResult& family, std::size_t mode, std::ui
     greatest =
         std::max(greatest, static_cast<double>(outcome.*part) / static_cast<double>(outcome.questions));
   }
-  return any ? significant(100.0 * greatest, 2) + " %" : "";
+  return any ? significant(100.0 * greatest, 3) + " %" : "";
 }
 
 /// The greatest ratio of times over a family's trials.
@@ -53,7 +53,7 @@ std::string greatest_ratio(const FamilyResult& family, std::size_t slow, std::si
     const double base = trial.outcomes[fast].ms;
     if (base > 0.0) greatest = std::max(greatest, trial.outcomes[slow].ms / base);
   }
-  return greatest > 0.0 ? significant(greatest, 2) : "";
+  return greatest > 0.0 ? significant(greatest, 3) : "";
 }
 
 /// An exact mode, and the same without exactness.
