@@ -1,7 +1,7 @@
 #include "bench/bench_page.h"
 
 #include <algorithm>
-#include <functional>
+#include <string_view>
 
 #include "bench/bench_plots.h"
 #include "report/page.h"
@@ -92,10 +92,13 @@ Table growth_table(const std::vector<RunRecord>& runs, Question question) {
          optional_text(growth.law.has_value(), growth.law ? growth.law->error : 0),
          grouped(static_cast<std::uint64_t>(last.parameter)), three_digits(last.render.median())});
   }
+  std::vector<std::string_view> told;
   for (const RunRecord& run : runs) {
-    if (run.question == question && !run.failed.empty())
-      table.rows.push_back(
-          {run.name, run.failed, "", grouped(static_cast<std::uint64_t>(run.parameter)), ""});
+    if (run.question != question || run.failed.empty() || std::ranges::find(told, run.name) != told.end())
+      continue;
+    told.push_back(run.name);
+    table.rows.push_back(
+        {run.name, run.failed, "", grouped(static_cast<std::uint64_t>(run.parameter)) + " and more", ""});
   }
   return table;
 }
