@@ -13,6 +13,7 @@
 
 #include "bench/bench_command_line.h"
 #include "help_formatter.h"
+#include "lesson/lesson_command_line.h"
 #include "nearest_name.h"
 #include "option_helpers.h"
 #include "scene/errors.h"
@@ -362,6 +363,8 @@ Command parse_command_line(int argc, const char* const* argv) {
   StressCommand stress;
   stress.threads = all_cores();
   ListCommand list;
+  LessonCommand lesson;
+  lesson.threads = all_cores();
   add_view(program, view);
   add_render(program, render);
   add_compare(program, compare);
@@ -371,6 +374,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   add_bench(program, bench);
   add_stress(program, stress);
   add_list(program, list);
+  add_lesson(program, lesson);
   require_known_subcommand(program, argc, argv);
   try {
     program.parse(argc, argv);
@@ -401,6 +405,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (program.got_subcommand("bench")) return bench;
   if (program.got_subcommand("stress")) return stress;
   if (program.got_subcommand("list")) return list;
+  if (program.got_subcommand("lesson")) return lesson;
   if (view.picture_file && view.picture_command)
     throw UsageError("--picture and --from cannot both be given");
   return view;

@@ -11,6 +11,7 @@
 #include "algorithm.h"
 #include "bench/bench_options.h"
 #include "child_process.h"
+#include "lesson/lesson_options.h"
 #include "predicates/pixel_box.h"
 #include "stress/stress_options.h"
 #include "told_output.h"
@@ -100,6 +101,8 @@ struct ViewCommand {
   std::optional<std::string> picture_file;     ///< shows the picture that it tells
   std::optional<std::string> picture_command;  ///< or the one that this command writes for each view
   ChildLimits limits;                          ///< of the command
+  int lesson = 0;                              ///< to be opened, from 1; 0: none
+  int lesson_step = 1;
   int threads = 1;
 };
 
@@ -110,6 +113,6 @@ struct ShowText {
 
 /// What the user wants done.
 using Command = std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
-                             ExportCommand, BenchCommand, StressCommand, ListCommand>;
+                             ExportCommand, BenchCommand, StressCommand, ListCommand, LessonCommand>;
 
 }  // namespace hsr

@@ -33,6 +33,9 @@ void run(const BenchCommand& command, std::ostream& out);
 /// hsr stress: where each algorithm breaks.
 void run(const StressCommand& command, std::ostream& out);
 
+/// hsr lesson: the course.
+void run(const LessonCommand& command, std::ostream& out);
+
 /// hsr view: the window.
 void run(const ViewCommand& command, std::ostream& out);
 

@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "scene/errors.h"
 #include "window/app.h"
+#include "window/lesson.h"
 #include "window/script/runner.h"
 #include "window/state_text.h"
 
@@ -83,7 +84,8 @@ void run(const ViewCommand& command, std::ostream& out) {
   const State state = chosen_state(command, left.value_or(State{}));
   window::App app(state.window.value_or(size), false, command.threads);
   begin(app, command, state);
-  app.session().key_card = !left;
+  if (command.lesson > 0) window::open_lesson(app.session(), command.lesson, command.lesson_step);
+  app.session().key_card = !left && command.lesson == 0;
   app.run();
   if (!kept.empty()) window::write_state_file(app.session().bench.state, kept);
 }

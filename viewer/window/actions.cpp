@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "window/files.h"
+#include "window/lesson.h"
 #include "window/playing.h"
 #include "window/variants.h"
 
@@ -66,8 +67,8 @@ void next_overlay(Session& session) { next_value(session.bench.state.overlay, ov
 void overlay_before(Session& session) { next_value(session.bench.state.overlay, overlay_names().size(), -1); }
 
 void escape(Session& session) {
-  if (session.key_card) {
-    session.key_card = false;
+  if (session.key_card || session.lesson_list) {
+    session.key_card = session.lesson_list = false;
   } else if (session.panel_keys) {
     session.panel_keys = false;
   } else if (!session.bench.running().empty()) {
@@ -151,6 +152,15 @@ constexpr std::array step_actions = {
     Action{"F", "first departure from the exact answer", SDLK_f, 0, go_to_departure},
 };
 
+constexpr std::array lesson_actions = {
+    Action{"H", "the list of lessons", SDLK_h, 0,
+           [](Session& session) { session.lesson_list = !session.lesson_list; }},
+    Action{"Page down, Page up", "the lesson's next step, the one before", SDLK_PAGEDOWN, 0,
+           [](Session& session) { go_on(session, 1); }},
+    Action{"", nullptr, SDLK_PAGEUP, 0, [](Session& session) { go_on(session, -1); }},
+    Action{"B", "back to what the step shows", SDLK_b, 0, show_lesson_step},
+};
+
 constexpr std::array keep_actions = {
     Action{"Ctrl S", "save all of this to a file", SDLK_s, KMOD_CTRL, save_state},
     Action{"Ctrl C, Ctrl V", "the same by the clipboard", SDLK_c, KMOD_CTRL, copy_state},
@@ -196,6 +206,7 @@ std::span<const ActionGroup> action_groups() {
       ActionGroup{"See", algorithm_actions}, ActionGroup{"Pixel", pixel_actions},
       ActionGroup{"Steps", step_actions},    ActionGroup{"Camera", camera_actions},
       ActionGroup{"Keep", keep_actions},     ActionGroup{"Window", window_actions},
+      ActionGroup{"Lesson", lesson_actions},
   };
   return groups;
 }

@@ -164,7 +164,7 @@ void App::set_fonts() {
   const bool same_style = em == loaded_em_ && styled_ == state.theme && styled_lecture_ == state.lecture;
   if (same_style) return;
   if (em != loaded_em_) {
-    load_fonts(em);
+    ui_.fonts = load_fonts(em);
     bridge_.upload_fonts();
   }
   apply_style(state.theme, em, state.lecture);
@@ -184,25 +184,33 @@ void App::draw_panels() {
   } else {
     io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   }
-  const Layout layout = lay_out(io.DisplaySize, {ui_.em, !state.lecture, true, state.stepping});
+  LayoutWishes wishes = {ui_.em, !state.lecture, true, state.stepping, state.lesson != 0, state.lesson_aside};
+  const Layout layout = lay_out(io.DisplaySize, wishes);
   // The picture has the same pixels whether steps are shown below it or not.
-  const ImVec2 room = lay_out(io.DisplaySize, {ui_.em, !state.lecture, true, false}).picture.size;
+  wishes.steps = false;
+  const ImVec2 room = lay_out(io.DisplaySize, wishes).picture.size;
   session_.picture_room = {static_cast<int>(room.x), static_cast<int>(room.y)};
   session_.bench.want_skip_times(false);  // unless a panel asks
   draw_bar(ui_, session_, layout.bar);
-  if (layout.left.size.x > 0.0F) {
-    ui_.begin_panel("settings", layout.left.corner, layout.left.size);
-    if (ui_.heading("Scene")) draw_scene_panel(ui_, session_);
-    if (ui_.heading("Algorithm")) draw_algorithm_panel(ui_, session_);
-    if (ui_.heading("Compare and check")) draw_compare_panel(ui_, session_);
-    if (ui_.heading("Work")) draw_work_panel(ui_, session_);
-    ui_.end_panel();
-  }
+  if (layout.lesson.size.x > 0.0F) draw_lesson_panel(ui_, session_, layout.lesson);
+  if (layout.left.size.x > 0.0F) draw_settings(layout.left);
   draw_picture(ui_, session_, layout.picture);
   if (layout.right.size.x > 0.0F) draw_pixel_panel(ui_, session_, layout.right);
   if (layout.steps.size.y > 0.0F) draw_steps_panel(ui_, session_, layout.steps);
   draw_status(ui_, session_, layout.status);
+  draw_lesson_list(ui_, session_);
   draw_key_card(ui_, session_);
+}
+
+void App::draw_settings(const Area& area) {
+  State& state = session_.bench.state;
+  ui_.begin_panel("settings", area.corner, area.size);
+  if (state.lesson != 0 && state.lesson_aside && ui_.button("Back to the lesson")) state.lesson_aside = false;
+  if (ui_.heading("Scene")) draw_scene_panel(ui_, session_);
+  if (ui_.heading("Algorithm")) draw_algorithm_panel(ui_, session_);
+  if (ui_.heading("Compare and check")) draw_compare_panel(ui_, session_);
+  if (ui_.heading("Work")) draw_work_panel(ui_, session_);
+  ui_.end_panel();
 }
 
 }  // namespace hsr::window

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "window/bridge.h"
+#include "window/layout.h"
 #include "window/sdl_window.h"
 #include "window/session.h"
 #include "window/ui.h"
@@ -34,6 +35,7 @@ class App {
   void fly(double seconds);
   void set_fonts();
   void draw_panels();
+  void draw_settings(const Area& area);
   void follow_window_size();
 
   SdlWindow window_;

@@ -12,8 +12,9 @@ struct Area {
 
 /// Where everything stands.
 struct Layout {
-  Area bar;   ///< along the top: scene, algorithms, modes
-  Area left;  ///< settings; no width where it is hidden
+  Area bar;     ///< along the top: scene, algorithms, modes
+  Area lesson;  ///< its text; no width where none is open
+  Area left;    ///< settings; no width where it is hidden
   Area picture;
   Area right;   ///< the pixel; no width where it is hidden
   Area steps;   ///< the time line; no height where there is none
@@ -26,6 +27,8 @@ struct LayoutWishes {
   bool left = true;
   bool right = true;
   bool steps = false;
+  bool lesson = false;
+  bool aside = false;  ///< where only one has room, the settings and not the lesson
 };
 
 Layout lay_out(const ImVec2& window, const LayoutWishes& wishes);

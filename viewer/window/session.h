@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lesson/course.h"
 #include "window/frame_times.h"
 #include "window/results/bitmap.h"
 #include "window/sdl_window.h"
@@ -61,6 +62,12 @@ struct Session {
   double step_rest = 0.0;                       ///< part of a step that playing has come to
   Camera outside_home;                          ///< where the outside view is seen from at first
   std::uint64_t outside_of = 0;                 ///< the model it is for
+
+  std::optional<OpenLesson> lesson;              ///< the lesson that was last open
+  bool lesson_list = false;                      ///< the list of lessons is shown
+  std::optional<State> lesson_state;             ///< what a step sets,
+  std::pair<int, int> lesson_place = {0, 0};     ///< and which one: lesson and step
+  std::pair<int, int> lesson_scrolled = {0, 0};  ///< lesson and step whose text was last drawn
 
   void tell(const std::string& text) {
     constexpr double seconds = 6.0;

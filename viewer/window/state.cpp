@@ -4,6 +4,22 @@
 
 namespace hsr::window {
 
+void set_scene(State& state, const std::string& words) {
+  state.scene = words;
+  state.moved.clear();
+  state.camera.reset();
+  state.outside_camera.reset();
+  state.pixel.reset();
+  state.magnification = 1.0F;
+  state.centre = glm::vec2(0.5F);
+}
+
+void set_algorithm(State& state, const AlgorithmSpec& spec) {
+  state.algorithm = spec;
+  state.show_elsewhere = false;
+  state.skips_off.clear();
+}
+
 std::span<const std::string_view> comparing_names() {
   static constexpr std::array<std::string_view, 5> names = {"off", "wiper", "side by side", "blink",
                                                             "difference"};

@@ -87,7 +87,15 @@ struct State {
   bool outside = false;                  ///< the second view, from outside
   std::optional<Camera> outside_camera;  ///< nothing: from the side and above
   int outside_level = 3;                 ///< how deep the boxes of a hierarchy are shown there
+
+  int lesson = 0;             ///< the lesson that is open, from 1; 0: none
+  int lesson_step = 1;        ///< its step, from 1
+  bool lesson_aside = false;  ///< the settings stand in its place
 };
+
+/// Another scene, from its own camera.
+void set_scene(State& state, const std::string& words);
+void set_algorithm(State& state, const AlgorithmSpec& spec);
 
 /// The names of the values, as in state files and scripts; in the order of the enumeration.
 std::span<const std::string_view> comparing_names();

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <limits>
 
+#include "lessons/catalog.h"
 #include "nearest_name.h"
 #include "scene/errors.h"
 #include "values.h"
@@ -14,6 +15,7 @@ namespace hsr::window {
 namespace {
 
 constexpr int greatest_picture = 8192;
+constexpr int most_lesson_steps = 1000;
 constexpr int greatest_corner = std::numeric_limits<int>::max();
 
 /// The shortest decimals that are read back as the same number.
@@ -222,6 +224,18 @@ const std::array entries = {
     StateEntry{"lecture", "on or off", 1, false,
                [](const State& s) { return line_if(s.lecture, on_or_off(s.lecture)); },
                [](State& s, StateWords words) { s.lecture = read_on_or_off(words[0]); }},
+    StateEntry{"lesson", "NUMBER STEP", 2, false,
+               [](const State& s) {
+                 return line_if(s.lesson != 0, text_of(s.lesson) + " " + text_of(s.lesson_step));
+               },
+               [](State& s, StateWords words) {
+                 s.lesson =
+                     parse_whole_number("lesson", words[0], 1, static_cast<int>(lesson_catalog().size()));
+                 s.lesson_step = parse_whole_number("step", words[1], 1, most_lesson_steps);
+               }},
+    StateEntry{"lesson-aside", "on or off", 1, false,
+               [](const State& s) { return line_if(s.lesson_aside, on_or_off(s.lesson_aside)); },
+               [](State& s, StateWords words) { s.lesson_aside = read_on_or_off(words[0]); }},
 };
 
 }  // namespace

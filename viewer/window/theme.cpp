@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 #include "frame/srgb.h"
 #include "scene/built_in/okabe_ito.h"
@@ -40,17 +41,35 @@ constexpr Shades light_shades = {0xE6E9ED, 0xF7F8FA, 0xE1E5EA, 0xD1D8E0, 0xBCC6D
 
 const Shades& shades_of(Theme theme) { return theme == Theme::dark ? dark_shades : light_shades; }
 
-constexpr std::array<const char*, 6> font_files = {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",
-                                                   "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-                                                   "/usr/share/fonts/TTF/DejaVuSans.ttf",
-                                                   "/usr/share/fonts/dejavu/DejaVuSans.ttf",
-                                                   "/Library/Fonts/DejaVuSans.ttf",
-                                                   "/opt/homebrew/share/fonts/DejaVuSans.ttf"};
+constexpr std::array font_folders = {"/usr/share/fonts/truetype/dejavu",
+                                     "/usr/share/fonts/dejavu-sans-fonts",
+                                     "/usr/share/fonts/dejavu-sans-mono-fonts",
+                                     "/usr/share/fonts/TTF",
+                                     "/usr/share/fonts/dejavu",
+                                     "/Library/Fonts",
+                                     "/opt/homebrew/share/fonts"};
 
 /// The letters that the viewer uses: European, Greek, arrows, signs of mathematics, shapes and ticks.
-constexpr std::array<ImWchar, 19> ranges = {0x20,   0xFF,   0x100,  0x17F,  0x370,  0x3FF,  0x2010,
+constexpr std::array<ImWchar, 21> ranges = {0x20,   0xFF,   0x100,  0x17F,  0x370,  0x3FF,  0x2010,
                                             0x2027, 0x2070, 0x209F, 0x2190, 0x21FF, 0x2200, 0x22FF,
-                                            0x25A0, 0x25FF, 0x2713, 0x2718, 0};
+                                            0x2308, 0x230B, 0x25A0, 0x25FF, 0x2713, 0x2718, 0};
+/// Those of headings and code.
+constexpr std::array<ImWchar, 5> few_ranges = {0x20, 0x17F, 0x2010, 0x2027, 0};
+
+/// The font in `file`, `pixels` high; null where it is not installed.
+ImFont* load_font(const char* file, float pixels, const ImWchar* letters) {
+  for (const char* folder : font_folders) {
+    const std::string path = std::string(folder) + "/" + file;
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) continue;
+    ImFontConfig config;
+    config.OversampleH = 2;
+    config.OversampleV = 1;
+    ImFont* font = ImGui::GetIO().Fonts->AddFontFromFileTTF(path.c_str(), pixels, &config, letters);
+    if (font != nullptr) return font;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
@@ -118,24 +137,26 @@ void apply_style(Theme theme, float em, bool lecture) {
   colors[ImGuiCol_TableRowBgAlt] = style_color(shades.field, 0.35F);
 }
 
-void load_fonts(float em) {
+Fonts load_fonts(float em) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
   const float pixels = std::round(em);
-  for (const char* file : font_files) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored)) continue;
-    ImFontConfig config;
-    config.OversampleH = 2;
-    config.OversampleV = 1;
-    if (atlas.AddFontFromFileTTF(file, pixels, &config, ranges.data()) != nullptr) break;
-  }
-  if (atlas.Fonts.empty()) {
+  Fonts fonts;
+  fonts.plain = load_font("DejaVuSans.ttf", pixels, ranges.data());
+  if (fonts.plain == nullptr) {
     ImFontConfig config;
     config.SizePixels = std::max(13.0F, 13.0F * std::floor(pixels / 13.0F));  // drawn by hand for 13 pixels
-    atlas.AddFontDefault(&config);
+    fonts.plain = atlas.AddFontDefault(&config);
+  }
+  constexpr float heading_size = 1.2F;
+  fonts.strong = load_font("DejaVuSans-Bold.ttf", pixels, few_ranges.data());
+  fonts.heading = load_font("DejaVuSans-Bold.ttf", std::round(heading_size * pixels), few_ranges.data());
+  fonts.code = load_font("DejaVuSansMono.ttf", std::round(0.95F * pixels), few_ranges.data());
+  for (ImFont** font : {&fonts.strong, &fonts.heading, &fonts.code}) {
+    if (*font == nullptr) *font = fonts.plain;
   }
   atlas.Build();
+  return fonts;
 }
 
 }  // namespace hsr::window

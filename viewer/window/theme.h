@@ -31,7 +31,15 @@ Palette palette_of(Theme theme);
 /// Sets ImGui's colours and sizes for letters of `em` pixels.
 void apply_style(Theme theme, float em, bool lecture);
 
-/// Loads the letters at `em` pixels: DejaVu Sans where it is installed, else ImGui's own.
-void load_fonts(float em);
+/// Letters of several kinds; where one is not installed it is the plain one.
+struct Fonts {
+  ImFont* plain = nullptr;    ///< `em` pixels high
+  ImFont* strong = nullptr;   ///< the same in bold
+  ImFont* heading = nullptr;  ///< larger, in bold
+  ImFont* code = nullptr;     ///< all equally wide
+};
+
+/// Loads the letters at `em` pixels: DejaVu where it is installed, else ImGui's own.
+Fonts load_fonts(float em);
 
 }  // namespace hsr::window

@@ -39,18 +39,21 @@ void Ui::end_panel() {
   ImGui::End();
 }
 
-void Ui::note(const char* label, const std::string& tip) {
+void Ui::note(const char* label, const std::string& words) {
   if (recorder_.on) {
     const ImVec2 least = ImGui::GetItemRectMin();
     const ImVec2 greatest = ImGui::GetItemRectMax();
     recorder_.places[std::string(visible_label(label))] = {least.x, least.y, greatest.x, greatest.y};
   }
-  if (tip.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!words.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tip(words);
+}
+
+void Ui::tip(const std::string& text) {
   pause_recording();  // the end of a tip would end it for the whole panel
   ImGui::BeginTooltip();
   resume_recording();
   ImGui::PushTextWrapPos(24.0F * em);
-  ImGui::TextUnformatted(tip.c_str());
+  ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   pause_recording();
   ImGui::EndTooltip();
@@ -150,6 +153,10 @@ void Ui::colored_paragraph(ImU32 color, const std::string& text) {
 
 void Ui::draw_text(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text) {
   list.AddText(place, color, text.c_str(), text.c_str() + text.size());
+  record(text);
+}
+
+void Ui::record(const std::string& text) {
   if (recorder_.on) recorder_.words += text + "\n";
 }
 

@@ -30,6 +30,7 @@ class Ui {
 
   Workbench& bench;
   Palette palette{};
+  Fonts fonts;
   float em = 16.0F;     ///< height of the letters in pixels
   float stroke = 1.0F;  ///< width of a thin line in pixels
 
@@ -59,8 +60,13 @@ class Ui {
   /// A word in a drawing.
   void draw_text(ImDrawList& list, const ImVec2& place, ImU32 color, const std::string& text);
 
+  /// Words that are drawn by other means, for scripts.
+  void record(const std::string& text);
+
   /// Notes the last item for scripts and shows the tip while the mouse rests on it.
   void note(const char* label, const std::string& tip = {});
+  /// Shows a tip at the mouse.
+  void tip(const std::string& text);
 
   /// Round popups and tips, whose end would otherwise end the recording of the panel they belong to.
   void pause_recording();

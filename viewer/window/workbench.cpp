@@ -159,21 +159,11 @@ void Workbench::move_camera(const Camera& camera) {
 }
 
 void Workbench::open_scene(const std::string& words) {
-  state.scene = words;
-  state.moved.clear();
-  state.camera.reset();
-  state.outside_camera.reset();
-  state.pixel.reset();
-  state.magnification = 1.0F;
-  state.centre = glm::vec2(0.5F);
+  set_scene(state, words);
   model_lane_.retry();
 }
 
-void Workbench::select_algorithm(const AlgorithmSpec& spec) {
-  state.algorithm = spec;
-  state.show_elsewhere = false;
-  state.skips_off.clear();
-}
+void Workbench::select_algorithm(const AlgorithmSpec& spec) { set_algorithm(state, spec); }
 
 void Workbench::move_corner(std::uint32_t corner, const glm::vec3& position) {
   const auto found = std::ranges::find(state.moved, corner, &MovedCorner::corner);

@@ -27,6 +27,10 @@ void draw_pixel_panel(Ui& ui, Session& session, const Area& area);
 void draw_steps_panel(Ui& ui, Session& session, const Area& area);
 /// Along the bottom: work that is going on, errors.
 void draw_status(Ui& ui, Session& session, const Area& area);
+/// The text of the lesson's step, and the way to the next.
+void draw_lesson_panel(Ui& ui, Session& session, const Area& area);
+/// The list of lessons over everything.
+void draw_lesson_list(Ui& ui, Session& session);
 /// The list of keys over everything.
 void draw_key_card(Ui& ui, Session& session);
 

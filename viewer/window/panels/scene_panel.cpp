@@ -107,6 +107,9 @@ void draw_parameters(Ui& ui, Session& session) {
 }  // namespace
 
 void draw_scene_panel(Ui& ui, Session& session) {
+  if (ui.button("Lessons ...", "The course: text here, the picture beside it (H)"))
+    session.lesson_list = true;
+  ImGui::SameLine();
   draw_picker(ui, session);
   draw_parameters(ui, session);
   const SceneWords words(session.bench.state.scene);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "nearest_name.h"
 #include "scene/errors.h"
@@ -47,9 +48,17 @@ bool holds(const Value& value, const std::string& comparison, const Value& wante
   return value >= wanted;
 }
 
-}  // namespace
+/// Names of values may be two words.
+std::vector<std::string> with_one_name(std::vector<std::string> words) {
+  const auto names = script_value_names();
+  if (words.size() > 1 && std::ranges::find(names, words[0] + " " + words[1]) != names.end()) {
+    words[0] += " " + words[1];
+    words.erase(words.begin() + 1);
+  }
+  return words;
+}
 
-void check_expectation(App& app, std::span<const std::string> words) {
+void check_words(App& app, std::span<const std::string> words) {
   if (words[0] == "text") return check_text(app, joined(words.subspan(1)), true);
   if (words[0] == "no") {
     if (words.size() < 3 || words[1] != "text") throw UsageError("write: expect no text WORDS");
@@ -69,6 +78,12 @@ void check_expectation(App& app, std::span<const std::string> words) {
   const std::string& text = std::get<std::string>(value);
   if (!holds(text, words[1], wanted))
     throw InputError("expected " + joined(words) + "; it is \"" + text + "\"");
+}
+
+}  // namespace
+
+void check_expectation(App& app, std::span<const std::string> words) {
+  check_words(app, with_one_name({words.begin(), words.end()}));
 }
 
 }  // namespace hsr::window

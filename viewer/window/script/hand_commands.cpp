@@ -53,9 +53,11 @@ Uint8 button(ScriptWords words, std::size_t at) {
 
 void take_screenshot(Stage& stage, ScriptWords words) {
   require_ending("screenshot", words[0], {".png"});
-  require_place(words[0]);
+  if (!stage.takes_screenshots) return;
+  const std::filesystem::path file = stage.folder / words[0];
+  require_place(file);
   stage.hands.wait();
-  write_png(stage.app.window().content(), glm::vec3(0.0F), words[0]);
+  write_png(stage.app.window().content(), glm::vec3(0.0F), file);
 }
 
 constexpr std::array commands = {

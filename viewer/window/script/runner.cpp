@@ -34,26 +34,6 @@ const ScriptCommand& find_command(const std::vector<std::string>& words) {
   return *found;
 }
 
-/// The blocks of a lesson that are scripts, each between ```hsr-script and ```; all other lines empty, so
-/// that lines keep their numbers.
-std::string script_blocks(const std::string& markdown) {
-  std::string text;
-  bool in_block = false;
-  std::size_t begin = 0;
-  while (begin < markdown.size()) {
-    const std::size_t end = std::min(markdown.find('\n', begin), markdown.size());
-    const std::string_view line(markdown.data() + begin, end - begin);
-    if (line.starts_with("```")) {
-      in_block = !in_block && line == "```hsr-script";
-    } else if (in_block) {
-      text += line;
-    }
-    text += '\n';
-    begin = end + 1;
-  }
-  return text;
-}
-
 /// Does `work`, and says of what it throws in which line of which script it was.
 template <class Work>
 void with_place(const std::string& source, const TextLine& line, Work work) {
@@ -73,24 +53,60 @@ std::vector<TextLine> checked_lines(std::string_view text, const std::string& so
   return lines;
 }
 
+bool only_looks(const TextLine& line) { return line.words[0] == "expect" || line.words[0] == "print"; }
+
 }  // namespace
 
+/// Each stands between ```hsr-script and ```.
+std::string script_blocks(std::string_view markdown) {
+  std::string text;
+  bool in_block = false;
+  std::size_t begin = 0;
+  while (begin < markdown.size()) {
+    const std::size_t end = std::min(markdown.find('\n', begin), markdown.size());
+    const std::string_view line = markdown.substr(begin, end - begin);
+    if (line.starts_with("```")) {
+      in_block = !in_block && line == "```hsr-script";
+    } else if (in_block) {
+      text += line;
+    }
+    text += '\n';
+    begin = end + 1;
+  }
+  return text;
+}
+
 void check_script(std::string_view text, const std::string& source) { (void)checked_lines(text, source); }
+
+std::size_t run_script_text(App& app, std::string_view text, const std::string& source,
+                            const ScriptManner& manner, std::ostream& out) {
+  const std::vector<TextLine> lines = checked_lines(text, source);
+  app.recorder().on = true;
+  Stage stage = {app, Hands(app), out, manner.screenshots, manner.folder};
+  stage.hands.frames(2);
+  for (const TextLine& line : lines) {
+    if (app.session().quit) break;
+    if (!manner.expectations && only_looks(line)) continue;
+    with_place(source, line,
+               [&] { find_command(line.words).run(stage, ScriptWords(line.words).subspan(1)); });
+  }
+  return lines.size();
+}
 
 void run_script(App& app, const std::filesystem::path& file, std::ostream& out) {
   const std::string text = read_text_file(file);
   const bool lesson = file.extension() == ".md";
-  const std::vector<TextLine> lines = checked_lines(lesson ? script_blocks(text) : text, file.string());
-  app.recorder().on = true;
-  Stage stage = {app, Hands(app), out};
-  stage.hands.frames(2);
-  for (const TextLine& line : lines) {
-    if (app.session().quit) break;
-    with_place(file.string(), line,
-               [&] { find_command(line.words).run(stage, ScriptWords(line.words).subspan(1)); });
+  const std::size_t lines = run_script_text(app, lesson ? script_blocks(text) : text, file.string(), {}, out);
+  out << file.string() << ": " << lines << (lines == 1 ? " line" : " lines") << ", all as expected\n";
+}
+
+void set_as_script(State& state, std::string_view text, const std::string& source) {
+  for (const TextLine& line : checked_lines(text, source)) {
+    with_place(source, line, [&] {
+      const ScriptCommand& command = find_command(line.words);
+      if (command.set != nullptr) command.set(state, ScriptWords(line.words).subspan(1));
+    });
   }
-  out << file.string() << ": " << lines.size() << (lines.size() == 1 ? " line" : " lines")
-      << ", all as expected\n";
 }
 
 }  // namespace hsr::window

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <iosfwd>
 #include <limits>
 #include <span>
@@ -19,6 +20,8 @@ struct Stage {
   App& app;
   Hands hands;
   std::ostream& out;
+  bool takes_screenshots = true;
+  std::filesystem::path folder = {};  ///< where screenshots go
   State& state() const { return app.session().bench.state; }
 };
 
@@ -31,6 +34,8 @@ struct ScriptCommand {
   std::size_t least;       ///< how many of them there must be
   std::size_t most;
   void (*run)(Stage&, ScriptWords);  ///< throws UsageError and InputError
+  /// What it sets, where that is all that it does in the end; null for all others.
+  void (*set)(State&, ScriptWords) = nullptr;
 };
 
 /// Those that set what a person would set, and those that do what hands do, look and measure.

@@ -114,6 +114,8 @@ const std::array values = {
                [](const Session& s) -> ScriptValue {
                  return double(require(s.bench.skip_times(), "measurement of skips")->saved_ms.size());
                }},
+    NamedValue{"lesson", [](const Session& s) -> ScriptValue { return double(s.bench.state.lesson); }},
+    NamedValue{"lesson step", [](const Session& s) -> ScriptValue { return double(s.bench.state.lesson_step); }},
     NamedValue{"step", [](const Session& s) -> ScriptValue { return number(s.bench.state.step); }},
     NamedValue{
         "steps",

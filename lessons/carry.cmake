@@ -1,0 +1,12 @@
+# Writes the files of LIST, a path from ROOT on each line, as a C++ source that holds their texts.
+file(STRINGS ${LIST} paths)
+list(LENGTH paths count)
+set(source "#include <array>\n\n#include \"lessons/catalog.h\"\n\nnamespace hsr {\nnamespace {\n\n")
+string(APPEND source "constexpr std::array<CarriedFile, ${count}> files = {{\n")
+foreach(path ${paths})
+  file(READ ${ROOT}/${path} text)
+  string(APPEND source "CarriedFile{\"${path}\", R\"carried(${text})carried\"},\n")
+endforeach()
+string(APPEND source "}};\n\n}  // namespace\n\n")
+string(APPEND source "std::span<const CarriedFile> carried_files() { return files; }\n\n}  // namespace hsr\n")
+file(WRITE ${OUTPUT} "${source}")

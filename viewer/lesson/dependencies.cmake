@@ -1,0 +1,15 @@
+# Markdown, as algorithms/dependencies.cmake: the system's package where there is one (whose file for CMake is
+# broken in Debian 12, hence pkg-config), otherwise fetched at a pinned version.
+if(PkgConfig_FOUND)
+  pkg_check_modules(md4c QUIET IMPORTED_TARGET "md4c >= 0.4")
+endif()
+if(TARGET PkgConfig::md4c)
+  hsr_alias(md4c PkgConfig::md4c)
+else()
+  enable_language(C)
+  hsr_fetch(md4c https://github.com/mity/md4c.git release-0.4.8 SOURCE_SUBDIR none)
+  add_library(md4c_fetched STATIC ${md4c_SOURCE_DIR}/src/md4c.c)
+  target_compile_definitions(md4c_fetched PRIVATE MD4C_USE_UTF8)
+  target_include_directories(md4c_fetched SYSTEM PUBLIC ${md4c_SOURCE_DIR}/src)
+  hsr_alias(md4c md4c_fetched)
+endif()
