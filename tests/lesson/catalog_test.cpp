@@ -10,6 +10,7 @@
 #include "scene/errors.h"
 #include "support/temporary_folder.h"
 #include "window/script/runner.h"
+#include "window/state.h"
 
 namespace hsr::test {
 namespace {

@@ -50,6 +50,8 @@ State chosen_state(const ViewCommand& command, const State& left) {
     state.moved.clear();
     state.camera.reset();
     state.pixel.reset();
+    if (state.lesson != 0) state.picture.reset();
+    state.lesson = 0;
   }
   if (command.algorithm) {
     state.algorithm = *command.algorithm;
