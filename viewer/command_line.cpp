@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench/bench_command_line.h"
+#include "exercise/exercise_command_line.h"
 #include "help_formatter.h"
 #include "lesson/lesson_command_line.h"
 #include "nearest_name.h"
@@ -99,6 +100,7 @@ void add_elsewhere(CLI::App& app, ViewCommand& command) {
       "writes such a stream to its standard output. It finds the view in its environment: HSR_SCENE, "
       "HSR_SIZE (WxH), HSR_EYE, HSR_TARGET, HSR_UP (X,Y,Z), HSR_FOV, HSR_NEAR, HSR_FAR, "
       "HSR_CLIP_FROM_WORLD (16 numbers row by row), and in HSR this program.");
+  add_file(app, "--watch", "FILE", command.watched, "Run the command again whenever this file is saved.");
   add_value(
       app, "--time-limit", "SECONDS",
       [&command](const auto& option, const auto& text) {
@@ -365,6 +367,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   ListCommand list;
   LessonCommand lesson;
   lesson.threads = all_cores();
+  ExerciseCommand exercise;
   add_view(program, view);
   add_render(program, render);
   add_compare(program, compare);
@@ -375,6 +378,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   add_stress(program, stress);
   add_list(program, list);
   add_lesson(program, lesson);
+  add_exercise(program, exercise);
   require_known_subcommand(program, argc, argv);
   try {
     program.parse(argc, argv);
@@ -406,6 +410,7 @@ Command parse_command_line(int argc, const char* const* argv) {
   if (program.got_subcommand("stress")) return stress;
   if (program.got_subcommand("list")) return list;
   if (program.got_subcommand("lesson")) return lesson;
+  if (program.got_subcommand("exercise")) return exercise;
   if (view.picture_file && view.picture_command)
     throw UsageError("--picture and --from cannot both be given");
   return view;

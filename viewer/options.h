@@ -11,6 +11,7 @@
 #include "algorithm.h"
 #include "bench/bench_options.h"
 #include "child_process.h"
+#include "exercise/exercise_options.h"
 #include "lesson/lesson_options.h"
 #include "predicates/pixel_box.h"
 #include "stress/stress_options.h"
@@ -103,6 +104,8 @@ struct ViewCommand {
   ChildLimits limits;                          ///< of the command
   int lesson = 0;                              ///< to be opened, from 1; 0: none
   int lesson_step = 1;
+
+  std::optional<std::filesystem::path> watched;  ///< when it is saved the command is run again
   int threads = 1;
 };
 
@@ -112,7 +115,8 @@ struct ShowText {
 };
 
 /// What the user wants done.
-using Command = std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
-                             ExportCommand, BenchCommand, StressCommand, ListCommand, LessonCommand>;
+using Command =
+    std::variant<ShowText, ViewCommand, RenderCommand, CompareCommand, PixelCommand, TraceCommand,
+                 ExportCommand, BenchCommand, StressCommand, ListCommand, LessonCommand, ExerciseCommand>;
 
 }  // namespace hsr

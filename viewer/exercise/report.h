@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "exercise/check.h"
+
+namespace hsr {
+
+/// A checked exercise, for the reports of a class.
+struct CheckedExercise {
+  const Exercise* exercise = nullptr;
+  ExerciseCheck check;
+  std::string report;  ///< as report_text makes it
+};
+
+/// What a student is told. `look` are commands that show more: of the viewer, and for a hint.
+std::string report_text(const Exercise& exercise, const ExerciseCheck& check,
+                        const std::vector<std::string>& look);
+
+/// Two pictures of an answer's numbers beside each other and what differs, as characters: a point is the
+/// background (-1), digits and letters are numbers from 0, x what differs. Large pictures are cut to where
+/// they differ.
+std::string picture_text(const CaseAnswer& got, const CaseAnswer& want);
+
+/// The same as a PNG file: got, want, and what differs in red. Throws InputError.
+void write_picture_difference(const CaseAnswer& got, const CaseAnswer& want,
+                              const std::filesystem::path& file);
+
+/// The results as JUnit XML, a test for each case.
+std::string junit_text(const std::vector<CheckedExercise>& checked);
+
+/// The results for Gradescope (results.json): a test for each exercise, with score, name and output.
+std::string gradescope_text(const std::vector<CheckedExercise>& checked);
+
+}  // namespace hsr
