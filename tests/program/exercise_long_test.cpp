@@ -34,8 +34,7 @@ TEST_CASE(
   const std::string head = "#include \"exercise.h\"\nvoid render(const View& view, Picture& picture) {\n";
   const auto shows = [&](const std::string& code, const std::string& expectations) {
     std::ofstream(folder / "work" / exercise.name / exercise.file_name(), std::ios::binary) << code;
-    const std::string command =
-        "\\\"$HSR\\\" exercise picture own-algorithm --folder '" + work + "'";
+    const std::string command = "\\\"$HSR\\\" exercise picture own-algorithm --folder '" + work + "'";
     const ProgramRun run =
         run_program({"view", "--script",
                      folder

@@ -1,8 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 
 #include "exercise/accident.h"
 #include "exercise/report.h"
@@ -11,6 +14,7 @@
 #include "scene/errors.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
+#include "window/file_watch.h"
 
 namespace hsr::test {
 namespace {
@@ -164,6 +168,20 @@ TEST_CASE("program: what a sanitizer says becomes words and a line of the studen
   CHECK(holds(told("", "").what, "exit"));
 }
 
+TEST_CASE("program: a watched file that is saved is noticed, once") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.write("watched.cpp", "before");
+  std::atomic<int> calls = 0;
+  const window::FileWatch watch(file, [&calls] { ++calls; });
+  using std::chrono_literals::operator""ms;
+  std::this_thread::sleep_for(300ms);
+  CHECK(calls == 0);
+  std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::hours(1));
+  for (int k = 0; k < 200 && calls == 0; ++k) std::this_thread::sleep_for(50ms);
+  std::this_thread::sleep_for(300ms);
+  CHECK(calls == 1);
+}
+
 TEST_CASE("program: two pictures that differ are shown beside each other") {
   const CaseAnswer got = {{-1, 0, 1, 1}, "", 2};
   const CaseAnswer want = {{-1, 0, 0, 1}, "", 2};
@@ -194,6 +212,8 @@ TEST_CASE("program: reports for graders are whole, whatever the names hold") {
   CHECK(holds(xml, "a &lt; b &amp; &quot;c&quot;"));
   CHECK(holds(xml, "a? &lt;report&gt;"));
   CHECK(nlohmann::json::parse(gradescope_text({checked}))["tests"][0]["score"] == 5.0);
+  checked.starter_passed = 1;  // the case that passes does so without any work
+  CHECK(nlohmann::json::parse(gradescope_text({checked}))["tests"][0]["score"] == 0.0);
 }
 
 }  // namespace hsr::test

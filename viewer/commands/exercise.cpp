@@ -178,10 +178,10 @@ class ExerciseSession {
       }
       break;
     }
-    if (!exercise.scenes.empty()) lines.push_back("To look at:   " + typed("view " + exercise.name));
+    if (!exercise.scenes.empty()) lines.push_back("Your picture: " + typed("view " + exercise.name));
     if (!view.empty()) {
       write_text(folder / "failure.hsr", "hsr-state 1\n" + view + "\n");
-      lines.push_back("The right one: hsr view " + shell_word_if_needed((folder / "failure.hsr").string()));
+      lines.push_back("The viewer:   hsr view " + shell_word_if_needed((folder / "failure.hsr").string()));
     }
     lines.push_back("For a hint:   " + typed("hint " + exercise.name));
     return lines;
@@ -190,7 +190,7 @@ class ExerciseSession {
   CheckedExercise check_exercise(const Exercise& exercise) {
     const path work = command_.file ? *command_.file : work_.work_of(exercise);
     std::error_code ignored;
-    CheckedExercise checked = {&exercise, {}, {}};
+    CheckedExercise checked = {&exercise, {}, {}, 0};
     if (!std::filesystem::exists(work, ignored)) {
       checked.check.build.messages = work.string() + " is not there";
       checked.report = checked.check.build.messages + " (" + typed("start " + exercise.name) + ")\n";
@@ -204,6 +204,11 @@ class ExerciseSession {
           run_check(exercise, build, "student", command_.limits, write_scene_data(exercise, folder));
     } else {
       checked.check.build = build;
+    }
+    if (build.done && command_.gradescope && !checked.check.passed()) {
+      checked.starter_passed =
+          run_check(exercise, build, "starter", command_.limits, write_scene_data(exercise, folder))
+              .passed_count();
     }
     ExerciseProgress progress = work_.progress(exercise);
     ++progress.checks;

@@ -74,13 +74,13 @@ Accident accident_of(const Exercise& exercise, const std::string& ended, const s
     accident.what = meaning.meaning;
     break;
   }
-  if (accident.what.empty()) accident.what = ended.empty() ? "it ended the program itself (exit?)" : ended;
+  if (accident.what.empty())
+    accident.what = ended.empty() ? "it ended itself before the check was through (exit?)" : ended;
   accident.place = place_in(said, exercise.file_name());
-  for (const std::string_view words : {"runtime error", "ERROR: AddressSanitizer", "Assertion", "what():"}) {
+  for (const std::string_view words : {"runtime error", "Assertion", "ERROR: AddressSanitizer", "what():"}) {
     accident.detail = line_with(said, words);
     if (!accident.detail.empty()) break;
   }
-  if (accident.detail.empty()) accident.detail = ended;
   return accident;
 }
 

@@ -174,7 +174,7 @@ class Attempt {
       return true;
     std::filesystem::remove(stamp, ignored);
     // Warnings in the mistakes are meant to be there.
-    const ChildRun run = run_in(sources_, compile_ + " -w -c main.cpp -o " + word(folder_ / "checks.o"));
+    const ChildRun run = run_in(sources_, compile_ + " -w -I . -c main.cpp -o " + word(folder_ / "checks.o"));
     if (!take(run)) return false;
     write_file_atomically(stamp, [&](const path& temporary) { write_bytes(temporary, stamp_); });
     return true;

@@ -34,18 +34,27 @@ std::string accident_text(const Exercise& exercise, const Accident& accident) {
   return text;
 }
 
+/// Without line breaks at the end.
+std::string without_end(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
 /// The failed cases: the first in full, of the others the names.
 std::string failures_text(const ExerciseCheck& check) {
+  constexpr int most_names = 4;
   std::string text;
   std::string names;
+  int more = 0;
   for (const CaseResult& result : check.cases) {
     if (result.passed) continue;
     if (text.empty()) {
       text = case_text(result);
-    } else {
+    } else if (++more <= most_names) {
       names += (names.empty() ? "" : "; ") + result.name;
     }
   }
+  if (more > most_names) names += "; and " + std::to_string(more - most_names) + " more";
   if (!names.empty()) text += labelled("also", names);
   return text;
 }
@@ -71,7 +80,8 @@ std::string report_text(const Exercise& exercise, const ExerciseCheck& check,
   const std::string failures = failures_text(check);
   if (!failures.empty()) text += "\n" + failures;
   for (const std::string& sentence : check.sentences) text += "\n" + paragraph("Probably: " + sentence);
-  if (!check.printed.empty()) text += "\nYour program wrote:\n" + check.printed.substr(0, 2000) + "\n";
+  if (!check.printed.empty())
+    text += "\nYour program wrote:\n" + without_end(check.printed.substr(0, 2000)) + "\n";
   if (!look.empty()) text += "\n";
   for (const std::string& line : look) text += line + "\n";
   return text;

@@ -12,7 +12,8 @@ namespace hsr {
 struct CheckedExercise {
   const Exercise* exercise = nullptr;
   ExerciseCheck check;
-  std::string report;  ///< as report_text makes it
+  std::string report;              ///< as report_text makes it
+  std::size_t starter_passed = 0;  ///< cases that the starter passes, for which there are no points
 };
 
 /// What a student is told. `look` are commands that show more: of the viewer, and for a hint.
@@ -31,7 +32,8 @@ void write_picture_difference(const CaseAnswer& got, const CaseAnswer& want,
 /// The results as JUnit XML, a test for each case.
 std::string junit_text(const std::vector<CheckedExercise>& checked);
 
-/// The results for Gradescope (results.json): a test for each exercise, with score, name and output.
+/// The results for Gradescope (results.json): a test for each exercise, with name, output and score:
+/// the share of the cases that the starter fails.
 std::string gradescope_text(const std::vector<CheckedExercise>& checked);
 
 }  // namespace hsr

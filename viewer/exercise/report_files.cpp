@@ -37,6 +37,15 @@ std::size_t case_count(const ExerciseCheck& check) {
   return std::max<std::size_t>({check.all.size(), check.cases.size(), 1});
 }
 
+/// From 0, no better than the starter, to 1.
+double share_of(const CheckedExercise& checked) {
+  if (checked.check.passed()) return 1.0;
+  const auto free = static_cast<double>(checked.starter_passed);
+  const auto passed = static_cast<double>(checked.check.passed_count());
+  const auto cases = static_cast<double>(case_count(checked.check));
+  return cases > free ? std::max(0.0, passed - free) / (cases - free) : 0.0;
+}
+
 std::string seconds_text(double seconds) { return significant(seconds, 3); }
 
 std::string junit_case(const CheckedExercise& checked, const std::string& name, const std::string& failure) {
@@ -89,8 +98,7 @@ std::string gradescope_text(const std::vector<CheckedExercise>& checked) {
   constexpr double points = 10.0;  // of each exercise
   nlohmann::ordered_json tests = nlohmann::ordered_json::array();
   for (const CheckedExercise& each : checked) {
-    const auto cases = static_cast<double>(case_count(each.check));
-    const double share = each.check.passed() ? 1.0 : static_cast<double>(each.check.passed_count()) / cases;
+    const double share = share_of(each);
     tests.push_back({{"name", each.exercise->name + ": " + each.exercise->title},
                      {"score", points * share},
                      {"max_score", points},

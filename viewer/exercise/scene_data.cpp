@@ -81,11 +81,16 @@ std::filesystem::path write_scene_data(const Exercise& exercise, const std::file
   std::string views;
   std::uint32_t count = 0;
   std::istringstream lines(exercise.scenes);
-  for (std::string name, size; lines >> name >> size; ++count) {
+  for (std::string line; std::getline(lines, line); ++count) {
+    std::istringstream words(line);
+    std::string name;
+    std::string size;
+    words >> name >> size;
     ReadReport report;
     const Scene scene = open_scene(name, report, {});
     PictureOptions options;
     options.size = parse_size("scenes.txt", size);
+    if (double near_depth = 0.0; words >> near_depth) options.near_depth = near_depth;
     const View view = choose_view(scene, options);
     append_view(views, name, view);
     append_answer(views, view);

@@ -32,7 +32,7 @@ struct Exercise {
   std::string solution;
   std::string another_solution;
   std::string checks;
-  std::string scenes;              ///< lines "SCENE WxH"; empty unless whole pictures are checked
+  std::string scenes;              ///< lines "SCENE WxH [NEAR]"; empty unless whole pictures are checked
   std::vector<std::string> hints;  ///< three, each saying more
   std::vector<Mistake> mistakes;
 

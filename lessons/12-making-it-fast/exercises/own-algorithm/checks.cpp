@@ -83,19 +83,24 @@ void checks(CheckOfFunction& check) {
   check.seconds = 10;
   check.tolerance = 1e-5;  // the depths are floats
   for (const check::SceneData& scene : scenes) {
+    const bool again = std::count_if(scenes.data(), &scene, [&](const check::SceneData& earlier) {
+                         return earlier.name == scene.name;
+                       }) > 0;
+    const std::string title =
+        again ? scene.name + " with the near plane at " + check::shown(scene.near_depth) : scene.name;
     const std::string size = std::to_string(scene.width) + " by " + std::to_string(scene.height) + " pixels";
     const std::string view = "scene " + scene.name + "\npicture " + std::to_string(scene.width) + " " +
                              std::to_string(scene.height) + "\nalgorithm zbuffer";
     check.view = view;
     check.run(
-        "ids of " + scene.name, scene.name + ", " + size,
+        "ids of " + title, title + ", " + size,
         [&](auto function) { return ids_of(scene, picture_of(scene, function).id); },
         ids_of(scene, scene.id));
     check::Answer depths;
     depths.numbers = scene.depth;
     depths.text = "all within 1e-5";
     check.run(
-        "depths of " + scene.name, scene.name + ", " + size,
+        "depths of " + title, title + ", " + size,
         [&](auto function) { return depths_of(scene, picture_of(scene, function)); }, depths);
   }
 }
