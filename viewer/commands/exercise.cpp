@@ -56,7 +56,7 @@ class ExerciseSession {
       case picture:
         return write_exercise_picture(catalog_, chosen(), work_, command_.limits, out_);
       case prove:
-        return prove_exercises();
+        return prove_exercises(catalog_, all_chosen(), work_, command_.limits, command_.sanitize, out_);
     }
   }
 
@@ -83,12 +83,7 @@ class ExerciseSession {
   std::string typed(const std::string& words) const {
     const path usual = ExerciseCommand().folder;
     return "hsr exercise " + words +
-           (command_.folder == usual ? "" : " --folder " + shell_word_if_needed(command_.folder.string()));
-  }
-
-  static std::string shell_word_if_needed(const std::string& text) {
-    const std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
-    return text.find_first_not_of(plain) == std::string::npos ? text : shell_word(text);
+           (command_.folder == usual ? "" : " --folder " + plain_shell_word(command_.folder.string()));
   }
 
   void show_all() const {
@@ -162,27 +157,12 @@ class ExerciseSession {
     return exercises;
   }
 
-  /// Commands that show the first failure, whose files are written for that.
   std::vector<std::string> ways_to_look(const Exercise& exercise, const ExerciseCheck& check) const {
     if (check.passed()) return {"Solved. " + typed("next") + " begins the next one."};
+    if (command_.file) return {};
     std::vector<std::string> lines;
-    if (command_.file) return lines;
-    const path folder = work_.folder_of(exercise);
-    std::string view = check.accident.view;
-    for (const CaseResult& result : check.cases) {
-      if (result.passed) continue;
-      view = result.view;
-      if (result.want.width > 0) {
-        write_picture_difference(result.got, result.want, folder / "difference.png");
-        lines.push_back("As pictures:  " + (folder / "difference.png").string());
-      }
-      break;
-    }
     if (!exercise.scenes.empty()) lines.push_back("Your picture: " + typed("view " + exercise.name));
-    if (!view.empty()) {
-      write_text(folder / "failure.hsr", "hsr-state 1\n" + view + "\n");
-      lines.push_back("The viewer:   hsr view " + shell_word_if_needed((folder / "failure.hsr").string()));
-    }
+    for (const std::string& line : files_to_look_at(check, work_.folder_of(exercise))) lines.push_back(line);
     lines.push_back("For a hint:   " + typed("hint " + exercise.name));
     return lines;
   }
@@ -273,21 +253,6 @@ class ExerciseSession {
     viewer.limits.seconds = seconds;
     viewer.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     hsr::run(viewer, out_);
-  }
-
-  void prove_exercises() {
-    std::string unsound;
-    for (const Exercise* exercise : all_chosen()) {
-      const path folder = work_.build_of(*exercise) / "prove";
-      const std::vector<std::string> faults =
-          faults_of(catalog_, *exercise, folder, command_.limits, command_.sanitize);
-      out_ << exercise->name << ": " << exercise->mistakes.size() << " mistakes, "
-           << (faults.empty() ? "all named; both solutions pass, the starter fails" : "not sound") << "\n";
-      for (const std::string& fault : faults) out_ << definition("", fault, 2, 4);
-      out_ << std::flush;
-      if (!faults.empty()) unsound += (unsound.empty() ? "" : ", ") + exercise->name;
-    }
-    if (!unsound.empty()) throw InputError("not sound: " + unsound);
   }
 
   const ExerciseCommand& command_;

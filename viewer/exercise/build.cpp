@@ -213,6 +213,11 @@ std::string shell_word(const std::string& text) {
   return word + "'";
 }
 
+std::string plain_shell_word(const std::string& text) {
+  const std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
+  return !text.empty() && text.find_first_not_of(plain) == std::string::npos ? text : shell_word(text);
+}
+
 std::string find_compiler() {
   const char* chosen = std::getenv("CXX");
   if (chosen != nullptr && *chosen != '\0') return chosen;

@@ -25,6 +25,9 @@ std::string find_compiler();
 /// Text as one word for the shell.
 std::string shell_word(const std::string& text);
 
+/// The same, without quotes where none are needed: for commands that a person reads.
+std::string plain_shell_word(const std::string& text);
+
 /// Compiles `work`, the student's file, with the checks of the exercise, in `folder`, which keeps the part
 /// that is the same at the next check. The sources of the checks do not stay there. Sanitized if that is
 /// asked for and the compiler can. Throws InputError only for what is not the student's doing.

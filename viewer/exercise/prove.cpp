@@ -4,6 +4,7 @@
 #include "output_file.h"
 #include "scene/atomic_file.h"
 #include "scene/errors.h"
+#include "text_layout.h"
 #include "window/state_text.h"
 
 namespace hsr {
@@ -78,6 +79,22 @@ std::vector<std::string> faults_of(const ExerciseCatalog& catalog, const Exercis
   require_named(run("student"), "starter", faults);  // the student's file is the starter here
   for (const Mistake& mistake : exercise.mistakes) require_named(run(mistake.name), mistake.name, faults);
   return faults;
+}
+
+void prove_exercises(const ExerciseCatalog& catalog, const std::vector<const Exercise*>& exercises,
+                     const Workspace& workspace, const CheckLimits& limits, bool sanitize,
+                     std::ostream& out) {
+  std::string unsound;
+  for (const Exercise* exercise : exercises) {
+    const Faults faults =
+        faults_of(catalog, *exercise, workspace.build_of(*exercise) / "prove", limits, sanitize);
+    out << exercise->name << ": " << exercise->mistakes.size() << " mistakes, "
+        << (faults.empty() ? "all named; both solutions pass, the starter fails" : "not sound") << "\n";
+    for (const std::string& fault : faults) out << definition("", fault, 2, 4);
+    out << std::flush;
+    if (!faults.empty()) unsound += (unsound.empty() ? "" : ", ") + exercise->name;
+  }
+  if (!unsound.empty()) throw InputError("not sound: " + unsound);
 }
 
 }  // namespace hsr

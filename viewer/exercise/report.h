@@ -29,6 +29,10 @@ std::string picture_text(const CaseAnswer& got, const CaseAnswer& want);
 void write_picture_difference(const CaseAnswer& got, const CaseAnswer& want,
                               const std::filesystem::path& file);
 
+/// Writes what shows the first failure into `folder`, a state of the viewer and, of pictures, what differs,
+/// and returns a line for each that says how to look at it. Throws InputError.
+std::vector<std::string> files_to_look_at(const ExerciseCheck& check, const std::filesystem::path& folder);
+
 /// The results as JUnit XML, a test for each case.
 std::string junit_text(const std::vector<CheckedExercise>& checked);
 

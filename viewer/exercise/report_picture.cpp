@@ -5,6 +5,7 @@
 #include "exercise/report.h"
 #include "frame/frame.h"
 #include "frame/write_image.h"
+#include "scene/atomic_file.h"
 
 namespace hsr {
 namespace {
@@ -137,6 +138,26 @@ void write_picture_difference(const CaseAnswer& got, const CaseAnswer& want,
     }
   }
   write_png(frame, glm::vec3(1.0F), file);
+}
+
+std::vector<std::string> files_to_look_at(const ExerciseCheck& check, const std::filesystem::path& folder) {
+  std::vector<std::string> lines;
+  std::string view = check.accident.view;
+  const auto failed = std::ranges::find(check.cases, false, &CaseResult::passed);
+  if (failed != check.cases.end()) {
+    view = failed->view;
+    if (failed->want.width > 0) {
+      write_picture_difference(failed->got, failed->want, folder / "difference.png");
+      lines.push_back("As pictures:  " + (folder / "difference.png").string());
+    }
+  }
+  if (view.empty()) return lines;
+  const std::filesystem::path state = folder / "failure.hsr";
+  write_file_atomically(state, [&](const std::filesystem::path& temporary) {
+    write_bytes(temporary, "hsr-state 1\n" + view + "\n");
+  });
+  lines.push_back("The viewer:   hsr view " + plain_shell_word(state.string()));
+  return lines;
 }
 
 }  // namespace hsr
