@@ -26,6 +26,10 @@ inline constexpr std::array<std::string_view, cause_count> cause_names = {
     "list overflow",  "coverage precision", "depth precision",       "interpenetration",
     "cyclic overlap", "sort key",           "transparency unsorted", "unknown"};
 
+/// Half a step of an 8-bit picture, in linear colour: a blend is wrong where a colour differs by more.
+/// Rounding in float is a thousand times less, and nobody sees less.
+inline constexpr float visible_difference = 0.5F / 255.0F;
+
 inline std::string_view name_of(Cause cause) { return cause_names[static_cast<std::size_t>(cause)]; }
 
 }  // namespace hsr

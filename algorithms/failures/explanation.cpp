@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "failures/cause.h"
 #include "failures/pixel_story.h"
 #include "trace/sentences.h"
 
@@ -55,10 +56,16 @@ const Event* test_that_let_first(const Scene& scene, const PixelStory& story, st
   return found;
 }
 
+/// The name of the algorithm whose steps are told: a fast version tells those of the textbook's.
+std::string_view teller(const AlgorithmSpec& algorithm) {
+  const Algorithm& row = *algorithm.algorithm;
+  return row.variant_of.empty() ? row.name : row.variant_of;
+}
+
 /// Why p was painted after q.
 std::string why_painted_later(const Scene& scene, const AlgorithmSpec& algorithm, const PixelStory& story,
                               std::uint32_t p, std::uint32_t q) {
-  if (algorithm.algorithm->name == "none") return "it comes later in the file";
+  if (teller(algorithm) == "none") return "it comes later in the file";
   const Event* const test = test_that_let_first(scene, story, q, p);
   if (test != nullptr) {
     return "test " + std::to_string(test->number) + " let " + triangle(test->p) + " go before " +
@@ -66,7 +73,7 @@ std::string why_painted_later(const Scene& scene, const AlgorithmSpec& algorithm
   }
   const Event* const key_p = key_of(story, p);
   const Event* const key_q = key_of(story, q);
-  if (algorithm.algorithm->name != "painter" || key_p == nullptr || key_q == nullptr) {
+  if (teller(algorithm) != "painter" || key_p == nullptr || key_q == nullptr) {
     return "no test showed that it must come earlier";
   }
   if (key_p->value == key_q->value) return "their keys are equal and it comes later in the file";
@@ -107,20 +114,35 @@ std::string what_happened(const Scene& scene, const AlgorithmSpec& algorithm, co
   }
 }
 
-/// Which triangle should be seen, and how deep both are.
-std::string what_is_right(const PixelStory& story) {
+/// The triangle that the step took in place of an admissible one; background_id if it took none.
+std::uint32_t taken(const Event& event) {
+  switch (event.kind) {
+    case EventKind::depth_tested:
+      return event.passed ? event.p : event.q;
+    case EventKind::painted:
+    case EventKind::nearest_replaced:
+    case EventKind::fragment_taken:
+    case EventKind::centre_shown:
+      return event.p;
+    default:
+      return background_id;
+  }
+}
+
+/// Which triangle should be seen in place of `shown`, and how deep both are.
+std::string what_is_right(const PixelStory& story, std::uint32_t shown) {
   const exact::Fragment& nearest = story.list.front();
-  if (story.id == background_id) {
+  if (shown == background_id) {
     return triangle(nearest.id) + " lies here at depth " + depth_of(nearest);
   }
-  const exact::Fragment* const shown = story.fragment_of(story.id);
-  if (shown == nullptr) {
-    return triangle(nearest.id) + " lies here at depth " + depth_of(nearest) + " and " + triangle(story.id) +
+  const exact::Fragment* const fragment = story.fragment_of(shown);
+  if (fragment == nullptr) {
+    return triangle(nearest.id) + " lies here at depth " + depth_of(nearest) + " and " + triangle(shown) +
            " does not cover the pixel's centre";
   }
-  const TwoNumbers depth = tell_apart(nearest.depth, shown->depth);
-  return triangle(nearest.id) + " is nearer here than " + triangle(story.id) + ": " + depth.value +
-         " against " + depth.other;
+  const TwoNumbers depth = tell_apart(nearest.depth, fragment->depth);
+  return triangle(nearest.id) + " is nearer here than " + triangle(shown) + ": " + depth.value + " against " +
+         depth.other;
 }
 
 std::string wrong(const Scene& scene, const AlgorithmSpec& algorithm, const PixelStory& story) {
@@ -131,9 +153,15 @@ std::string wrong(const Scene& scene, const AlgorithmSpec& algorithm, const Pixe
   if (!story.departure) {
     return "Wrong: " + shown + " is shown, because " + std::string(algorithm.algorithm->name) +
            " never found " + triangle(story.list.front().id) + " at the pixel's centre; " +
-           what_is_right(story) + ".";
+           what_is_right(story, story.id) + ".";
   }
-  return "Wrong: " + what_happened(scene, algorithm, story) + ", although " + what_is_right(story) + ".";
+  // The one that came first in place of the nearest need not be the one that is seen at the end.
+  const std::uint32_t first = taken(story.departure->event);
+  const bool replaced = first != background_id && story.id != background_id && first != story.id;
+  std::string text = "Wrong: " + what_happened(scene, algorithm, story) + ", although " +
+                     what_is_right(story, replaced ? first : story.id);
+  if (replaced) text += "; later " + triangle(story.id) + " took its place and is the one that is seen";
+  return text + ".";
 }
 
 std::size_t tied_with_nearest(const PixelStory& story) {
@@ -144,8 +172,6 @@ std::size_t tied_with_nearest(const PixelStory& story) {
 
 /// What is blended with the nearest, if anything shows through.
 std::string about_color(const AlgorithmSpec& algorithm, const PixelStory& story) {
-  // Half a step of eight bits is not seen.
-  constexpr float visible = 0.5F / 255.0F;
   float difference = 0.0F;
   for (int k = 0; k < 3; ++k) {
     difference = std::max(difference, std::abs(story.color[k] - story.exact_color[k]));
@@ -154,7 +180,7 @@ std::string about_color(const AlgorithmSpec& algorithm, const PixelStory& story)
     return event.kind == EventKind::fragment_taken && event.other > 0.0;
   });
   if (has_areas) return "; its colour is the mean over the pixel's area";
-  if (difference > visible) {
+  if (difference > visible_difference) {
     return "; its colour differs by " + tell_apart(difference, difference).value +
            " from the whole list blended in order (transparency: " +
            std::string(algorithm.algorithm->traits.transparency) + ")";

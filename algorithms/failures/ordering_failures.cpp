@@ -21,10 +21,6 @@ namespace hsr {
 
 namespace {
 
-/// A blend is wrong where a colour differs by more than half a step of an 8-bit picture: rounding in
-/// float is a thousand times less, and nobody sees less.
-constexpr float visible_difference = 0.5F / 255.0F;
-
 /// What is found out about a pair of triangles once, for all pixels that it fails at.
 struct PairProof {
   bool crosses = false;

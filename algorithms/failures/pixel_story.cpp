@@ -37,19 +37,22 @@ TracedRun kept(const TracedRun& run) {
 }
 
 /// Gathers the history and the departure, with each step that the filter wants counted once.
-void record_history(const TracedRun& run, const EventFilter& filter, PixelStory& story) {
+void record_history(const std::vector<Event>& steps, const EventFilter& filter, PixelStory& story) {
   DepartureFinder finder([&story](int, int, std::uint32_t id) { return story.admissible(id); });
   const TracedRun watched = [&](const EventListener& listener) {
     std::uint64_t step = 0;
-    run([&](const Event& event) {
-      const bool wanted = filter.wants(event);
-      if (wanted) ++step;
-      finder.tell(event, wanted ? step : 0);
+    for (const Event& event : steps) {
+      if (!filter.wants(event)) continue;
+      finder.tell(event, ++step);
       listener(event);
-    });
+    }
   };
   story.history = record(watched, filter);
   story.departure = finder.first();
+}
+
+bool same(const PixelBox& a, const PixelBox& b) {
+  return a.first_i == b.first_i && a.last_i == b.last_i && a.first_j == b.first_j && a.last_j == b.last_j;
 }
 
 }  // namespace
@@ -68,28 +71,58 @@ const exact::Fragment* PixelStory::fragment_of(std::uint32_t shown) const {
   return found == list.end() ? nullptr : &*found;
 }
 
-PixelStory tell_pixel(const View& view, Renderer& renderer, const RenderOptions& options, int i, int j) {
+PixelTeller::PixelTeller(const View& view, Renderer& renderer, const RenderOptions& options, int side)
+    : view_(view), renderer_(renderer), options_(options), side_(side) {
+  options_.progress = {};
+}
+
+void PixelTeller::trace_square(const PixelBox& square, const Progress& progress) {
+  square_.reset();
+  RenderOptions options = options_;
+  options.window = square;
+  options.progress = progress;
+  const TracedRun run = kept([&](const EventListener& listener) {
+    frame_ = Frame(view_.width, view_.height);
+    renderer_.trace(view_, options, listener, frame_);
+  });
+  // What is about a triangle that occurs at one of the pixels, whatever the other triangle: more than any one
+  // of them will want.
+  const IdSet here = triangles_at(run, square, *view_.scene);
+  const EventFilter at_pixels = {.window = square};
+  steps_.clear();
+  run([&](const Event& event) {
+    const bool wanted = event.p == background_id || here.contains(event.p);
+    if (event.i < 0 ? wanted : at_pixels.wants(event)) steps_.push_back(event);
+  });
+  if (report_progress(progress, "looking into the pixel", 0.5)) square_ = square;
+}
+
+PixelStory PixelTeller::tell(int i, int j, const Progress& progress) {
   PixelStory story;
   story.i = i;
   story.j = j;
-  story.list = exact::depth_list(view, i, j);
-  story.exact_color = color_of_list(*view.scene, story.list);
-
-  Frame frame;
-  RenderOptions pixel_options = options;
-  pixel_options.window = PixelBox{i, i, j, j};
-  const TracedRun run = kept([&](const EventListener& listener) {
-    frame = Frame(view.width, view.height);
-    renderer.trace(view, pixel_options, listener, frame);
-  });
-  EventFilter filter = {.window = pixel_options.window};
-  filter.among = triangles_at(run, *filter.window, *view.scene);
-  record_history(run, filter, story);
-  const std::size_t pixel = frame.index(i, j);
-  story.id = frame.id[pixel];
-  story.depth = frame.depth[pixel];
-  story.color = frame.color[pixel];
+  story.list = exact::depth_list(view_, i, j);
+  story.exact_color = color_of_list(*view_.scene, story.list);
+  const int left = i / side_ * side_;
+  const int top = j / side_ * side_;
+  const PixelBox square = {left, std::min(left + side_, view_.width) - 1, top,
+                           std::min(top + side_, view_.height) - 1};
+  if (!square_ || !same(*square_, square)) trace_square(square, progress);
+  EventFilter filter = {.window = PixelBox{i, i, j, j}};
+  const TracedRun steps = [this](const EventListener& listener) {
+    for (const Event& event : steps_) listener(event);
+  };
+  filter.among = triangles_at(steps, *filter.window, *view_.scene);
+  record_history(steps_, filter, story);
+  const std::size_t pixel = frame_.index(i, j);
+  story.id = frame_.id[pixel];
+  story.depth = frame_.depth[pixel];
+  story.color = frame_.color[pixel];
   return story;
+}
+
+PixelStory tell_pixel(const View& view, Renderer& renderer, const RenderOptions& options, int i, int j) {
+  return PixelTeller(view, renderer, options, 1).tell(i, j, options.progress);
 }
 
 std::vector<bool> fronts(const View& view, const std::vector<exact::Fragment>& list) {

@@ -35,6 +35,30 @@ struct PixelStory {
   const exact::Fragment* fragment_of(std::uint32_t shown) const;
 };
 
+/// Tells pixels of one picture, one after the other. The algorithm runs once for a square of pixels, and what
+/// it did there is kept: the next pixel of the same square is told at once. For one thread at a time.
+class PixelTeller {
+ public:
+  /// By an algorithm that is prepared for the view's scene; scene and renderer must outlive this. The
+  /// options' window and progress function are not used. Squares are `side` pixels wide and high, side by
+  /// side from the upper left corner.
+  PixelTeller(const View& view, Renderer& renderer, const RenderOptions& options, int side);
+
+  /// The story of a pixel, which must be in the picture. Unfinished if `progress` asks to stop.
+  PixelStory tell(int i, int j, const Progress& progress);
+
+ private:
+  void trace_square(const PixelBox& square, const Progress& progress);
+
+  View view_;
+  Renderer& renderer_;
+  RenderOptions options_;
+  int side_;
+  std::optional<PixelBox> square_;  ///< whose steps are kept
+  std::vector<Event> steps_;        ///< at its pixels, and those about no pixel of triangles that occur there
+  Frame frame_;                     ///< right within the square
+};
+
 /// Makes one pixel by an algorithm that is prepared for the view's scene, and gathers its story. The
 /// pixel must be in the picture. The options' window is not used.
 PixelStory tell_pixel(const View& view, Renderer& renderer, const RenderOptions& options, int i, int j);

@@ -87,6 +87,25 @@ TEST_CASE("failures: file order, and what is right, are explained") {
   CHECK(explained(view, "zbuffer", 0, 0) == "Nothing covers the pixel's centre, so the background is shown.");
 }
 
+TEST_CASE("failures: what came first in place of the nearest is told apart from what is seen at the end") {
+  const hsr::Scene scene = hsr::test::scene_of({{glm::vec3(-2, -2, 2), {2, -2, 2}, {0, 3, 2}},
+                                                {glm::vec3(-2, -2, 1), {2, -2, 1}, {0, 3, 1}},
+                                                {glm::vec3(-2, -2, 1.5F), {2, -2, 1.5F}, {0, 3, 1.5F}}});
+  const hsr::View view = hsr::test::front_view(scene, 16, 16, 4.0);
+  CHECK(explained(view, "none", 8, 9) ==
+        "Wrong: none painted triangle 1 after triangle 0, because it comes later in the file, although "
+        "triangle 0 is nearer here than triangle 1: 2 against 3; later triangle 2 took its place and is the "
+        "one that is seen.");
+}
+
+TEST_CASE("failures: a fast version's pixels are explained as those of the textbook version") {
+  const hsr::Scene scene = flat_and_leaning();
+  const hsr::View view = hsr::test::front_view(scene, 16, 16, 4.0, 0.5, 100.0);
+  CHECK(
+      contains(explained(view, "painter-fast", 8, 9),
+               "painted triangle 0 after triangle 1, because its farthest corner is nearer (3 against 34)"));
+}
+
 TEST_CASE("failures: a stored depth that rounding made equal is explained") {
   const hsr::Scene scene =
       hsr::test::scene_of({{glm::vec3(-2, -2, 1), {2, -2, 1}, {0, 3, 1}},

@@ -5,7 +5,6 @@
 #include "commands/commands.h"
 #include "scene/errors.h"
 #include "window/app.h"
-#include "window/file_watch.h"
 #include "window/lesson.h"
 #include "window/script/runner.h"
 #include "window/state_text.h"
@@ -66,20 +65,10 @@ void begin(window::App& app, const ViewCommand& command, const State& state) {
   window::Workbench& bench = app.session().bench;
   bench.state = state;
   bench.limits = command.limits;
+  bench.watched = command.watched;
   using window::Elsewhere;
   if (command.picture_file) bench.show_from({Elsewhere::Kind::file, *command.picture_file});
   if (command.picture_command) bench.show_from({Elsewhere::Kind::command, *command.picture_command, true});
-}
-
-/// Runs the command again when the watched file is saved, as F5 does.
-std::optional<window::FileWatch> watch(const ViewCommand& command) {
-  if (!command.watched) return std::nullopt;
-  return std::optional<window::FileWatch>(std::in_place, *command.watched, [] {
-    SDL_Event event = {};
-    event.type = SDL_KEYDOWN;
-    event.key.keysym.sym = SDLK_F5;
-    SDL_PushEvent(&event);
-  });
 }
 
 }  // namespace
@@ -90,7 +79,6 @@ void run(const ViewCommand& command, std::ostream& out) {
     const State state = chosen_state(command, {});
     window::App app(size, true, command.threads);
     begin(app, command, state);
-    const std::optional<window::FileWatch> watching = watch(command);
     window::run_script(app, *command.script, out);
     return;
   }
@@ -101,7 +89,6 @@ void run(const ViewCommand& command, std::ostream& out) {
   begin(app, command, state);
   if (command.lesson > 0) window::open_lesson(app.session(), command.lesson, command.lesson_step);
   app.session().key_card = !left && command.lesson == 0;
-  const std::optional<window::FileWatch> watching = watch(command);
   app.run();
   if (!kept.empty()) window::write_state_file(app.session().bench.state, kept);
 }

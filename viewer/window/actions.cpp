@@ -40,7 +40,7 @@ template <int Number>
 void choose_algorithm(Session& session) {
   const std::vector<const Algorithm*> all = textbook_algorithms();
   if (Number > static_cast<int>(all.size())) return;
-  session.bench.select_algorithm(parse_algorithm_spec(all[Number - 1]->name));
+  session.bench.select_algorithm(quickest_version(parse_algorithm_spec(all[Number - 1]->name)));
 }
 
 void choose_other_version(Session& session) {
@@ -228,10 +228,13 @@ bool run_action(Session& session, SDL_Keycode key, unsigned modifiers) {
 }
 
 void go_to_failure(Session& session, int direction) {
-  const auto judgement = session.bench.judgement();
-  if (!judgement) return session.tell("the exact answer is not there yet");
-  const std::vector<std::uint32_t>& failed = judgement->failed;
-  if (failed.empty()) return session.tell("every pixel is right");
+  if (!session.bench.judgement()) return session.tell("the exact answer is not there yet");
+  const std::vector<std::uint32_t> failed = session.bench.failed_pixels();
+  if (failed.empty()) {
+    const bool colors = session.bench.judgement()->colors_differ();
+    return session.tell(colors && !session.bench.causes() ? "the blends are being checked"
+                                                          : "every pixel shows the right triangle");
+  }
   State& state = session.bench.state;
   const auto width = static_cast<std::uint32_t>(session.bench.picture_size().width);
   std::size_t chosen = direction > 0 ? 0 : failed.size() - 1;

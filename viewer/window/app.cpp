@@ -49,13 +49,19 @@ bool App::restless() const {
          ImGui::GetIO().WantTextInput;
 }
 
+int App::longest_wait() const {
+  constexpr int minute = 60000;
+  constexpr int look = static_cast<int>(1000.0 * FileWatch::interval);
+  return session_.bench.watched_file() ? look : minute;
+}
+
 void App::run() {
   // ImGui needs a frame or two after an event until all has settled.
   constexpr int frames_after_event = 3;
   int frames = frames_after_event;
   while (!session_.quit) {
     const bool working = session_.bench.busy() || session_.has_message();
-    const int wait = frames > 0 || restless() ? 0 : working ? 50 : 60000;
+    const int wait = frames > 0 || restless() ? 0 : working ? 50 : longest_wait();
     if (wait > 0 && SDL_WaitEventTimeout(nullptr, wait) != 0) frames = frames_after_event;
     if (SDL_HasEvents(SDL_FIRSTEVENT, SDL_LASTEVENT)) frames = frames_after_event;
     const double start = seconds_now();

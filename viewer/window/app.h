@@ -33,6 +33,8 @@ class App {
   void take(const SDL_Event& event);
   void take_key(const SDL_Event& event);
   void fly(double seconds);
+  /// How long to sleep when nothing goes on, in milliseconds.
+  int longest_wait() const;
   void set_fonts();
   void draw_panels();
   void draw_settings(const Area& area);

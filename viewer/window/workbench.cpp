@@ -60,6 +60,7 @@ void Workbench::update(double seconds, Extent panel) {
   if (!model()) return;
   find_home_camera();
   if (!model_is_current()) return;
+  watch_file();
   want_pictures();
   want_truth();
   want_steps();
@@ -115,8 +116,7 @@ void Workbench::want_truth() {
 void Workbench::want_causes() {
   const auto found = judgement();
   if (!found || !state.check) return;
-  const bool colors_wrong = found->errors.color && found->errors.color->max > 0.0;
-  if (found->failed.empty() && !colors_wrong) return;
+  if (found->failed.empty() && !found->colors_differ()) return;
   causes_lane_.want(picture_key(), true, [&] {
     return [key = picture_key(), given = surroundings(), rendered = picture(), exact = truth()](
                const Progress& progress) { return find_causes(key, given, *rendered, *exact, progress); };
@@ -127,6 +127,16 @@ std::shared_ptr<const OrderingFailures> Workbench::causes() const {
   if (!judgement() || !causes_lane_.result() || !(*causes_lane_.result_key() == picture_key()))
     return nullptr;
   return causes_lane_.result();
+}
+
+std::vector<std::uint32_t> Workbench::failed_pixels() const {
+  const auto found = causes();
+  if (!found) return judgement() ? judgement()->failed : std::vector<std::uint32_t>();
+  std::vector<std::uint32_t> failed;
+  for (std::uint32_t pixel = 0; pixel < found->pair_at.size(); ++pixel) {
+    if (found->pair_at[pixel] != background_id) failed.push_back(pixel);
+  }
+  return failed;
 }
 
 bool Workbench::picture_is_current() const {

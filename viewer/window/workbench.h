@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "window/file_watch.h"
 #include "window/lane.h"
 #include "window/results/extras.h"
 #include "window/results/model.h"
@@ -43,7 +44,8 @@ class Workbench {
   Workbench(std::function<void()> wake, int threads);
 
   State state;
-  ChildLimits limits;  ///< of the command whose pictures are shown
+  ChildLimits limits;                            ///< of the command whose pictures are shown
+  std::optional<std::filesystem::path> watched;  ///< when it is saved that command is run again
 
   /// Takes over what is finished and begins what is missing. `seconds` is the time, from any beginning;
   /// `panel` how large a picture fits its place on the screen, in pixels.
@@ -68,6 +70,10 @@ class Workbench {
   void show_from(const Elsewhere& elsewhere);
   /// Whether the picture is not made here.
   bool shows_elsewhere() const { return state.show_elsewhere && state.elsewhere; }
+  /// Whether it is that of a file, which is read again whenever it changes.
+  bool shows_file() const { return shows_elsewhere() && state.elsewhere->kind == Elsewhere::Kind::file; }
+  /// The file whose change asks for the picture from elsewhere anew.
+  std::optional<std::string> watched_file() const;
   /// Reads the file again, or runs the command again.
   void run_again();
   /// Why there is no picture from there; empty if there is one, or it is on its way.
@@ -82,8 +88,10 @@ class Workbench {
   /// The exact answer and what it says of the picture; null unless it is of the present state.
   std::shared_ptr<const Truth> truth() const;
   std::shared_ptr<const Judgement> judgement() const;
-  /// Why its wrong pixels are wrong; null too where all are right.
+  /// Why its wrong pixels are wrong, and which blends are; null too where all is right.
   std::shared_ptr<const OrderingFailures> causes() const;
+  /// The pixels that show a wrong triangle or, once causes() is there, a wrong blend, row by row.
+  std::vector<std::uint32_t> failed_pixels() const;
 
   /// The story of the pixel that was last asked for by want_story; null unless it is of the present state.
   std::shared_ptr<const Story> story() const;
@@ -92,6 +100,8 @@ class Workbench {
 
   /// Says whether somebody wants to know what each skip saves.
   void want_skip_times(bool wanted) { want_skip_times_ = wanted; }
+  /// Measures it for the present picture although that takes long.
+  void measure_skips_patiently() { patient_picture_ = picture_key(); }
 
   /// The steps of the present picture, the picture after state.step of them, and steps worth going to; null
   /// unless they are of the present state, but for the moment, which may be one of shortly before.
@@ -108,6 +118,7 @@ class Workbench {
   std::shared_ptr<const Structure> structure() const;
   /// What each skip saves, in milliseconds; null unless it is of the present picture.
   std::shared_ptr<const SkipTimes> skip_times() const;
+  bool measures_skips() const { return skips_lane_.busy(); }
 
   /// The state with everything said that otherwise follows from the window: what is saved.
   State exact_state() const;
@@ -150,7 +161,9 @@ class Workbench {
   Surroundings surroundings() const;
   void fit_panel(Extent panel);
   bool model_is_current() const;
+  /// The file's picture: of the present run, or of the one before while the file is read again.
   std::shared_ptr<const FromElsewhere> file() const;
+  void watch_file();
   void find_home_camera();
   void want_model();
   /// Calls visit(what, lane) for every lane.
@@ -185,14 +198,16 @@ class Workbench {
   std::shared_ptr<PreparedRenderers> prepared_ = std::make_shared<PreparedRenderers>();
   std::shared_ptr<PreparedRenderers> other_prepared_ = std::make_shared<PreparedRenderers>();
   std::shared_ptr<PreparedRenderers> skips_prepared_ = std::make_shared<PreparedRenderers>();
-  std::shared_ptr<PreparedRenderers> story_prepared_ = std::make_shared<PreparedRenderers>();
+  std::shared_ptr<StoryKeeper> story_keeper_ = std::make_shared<StoryKeeper>();
   std::optional<glm::ivec2> story_pixel_;
   bool want_skip_times_ = false;
+  std::optional<PictureKey> patient_picture_;
   std::shared_ptr<const Scene> unmoved_;  // the scene as it was read
   std::string unmoved_name_;
 
   std::uint64_t gifs_ = 0;
   std::uint64_t runs_ = 0;  // how often the picture from elsewhere was asked for anew
+  FileWatch watch_;
 
   Lane<ModelKey, Model> model_lane_;
   Lane<FileKey, FromElsewhere> file_lane_;
@@ -208,7 +223,7 @@ class Workbench {
   Lane<ViewKey, std::vector<std::uint32_t>> lengths_lane_;
   Lane<PictureKey, std::vector<std::uint32_t>> overdraw_lane_;
   Lane<StructureKey, Structure> structure_lane_;
-  Lane<PictureKey, SkipTimes> skips_lane_;
+  Lane<SkipsKey, SkipTimes> skips_lane_;
   Lane<GifKey, std::filesystem::path> gif_lane_;
   std::optional<std::string> gif_news_;
 };

@@ -40,9 +40,11 @@ void Workbench::want_extras() {
   }
   // Last, when nothing else is going on that would be measured too.
   if (want_skip_times_ && !shows_elsewhere() && (skips_lane_.busy() || !busy())) {
-    skips_lane_.want(picture_key(), true, [&] {
-      return [key = picture_key(), given = surroundings(), prepared = skips_prepared_](
-                 const Progress& progress) { return measure_skips(key, given, *prepared, progress); };
+    const SkipsKey skips = {picture_key(), patient_picture_ == picture_key()};
+    skips_lane_.want(skips, true, [&] {
+      return [key = skips, given = surroundings(), prepared = skips_prepared_](const Progress& progress) {
+        return measure_skips(key, given, *prepared, progress);
+      };
     });
   }
 }
@@ -93,9 +95,8 @@ std::shared_ptr<const Structure> Workbench::structure() const {
 }
 
 std::shared_ptr<const SkipTimes> Workbench::skip_times() const {
-  if (!picture_is_current() || !skips_lane_.result() || !(*skips_lane_.result_key() == picture_key()))
-    return nullptr;
-  return skips_lane_.result();
+  if (!picture_is_current() || !skips_lane_.result()) return nullptr;
+  return skips_lane_.result_key()->picture == picture_key() ? skips_lane_.result() : nullptr;
 }
 
 }  // namespace hsr::window

@@ -74,15 +74,27 @@ Surroundings Workbench::surroundings() const {
 }
 
 int Workbench::coarseness() const {
-  const bool fixed = shows_elsewhere() && state.elsewhere->kind == Elsewhere::Kind::file;
-  if (fixed || !settling_ || full_ms_ <= moving_ms) return 1;
+  if (shows_file() || !settling_ || full_ms_ <= moving_ms) return 1;
   return std::min(coarsest, static_cast<int>(std::ceil(std::sqrt(full_ms_ / moving_ms))));
 }
 
 std::shared_ptr<const FromElsewhere> Workbench::file() const {
   if (!shows_elsewhere() || !model() || !file_lane_.result_key()) return nullptr;
-  const FileKey key = {{*state.elsewhere, runs_}, model()->number};
-  return *file_lane_.result_key() == key ? file_lane_.result() : nullptr;
+  const FileKey& key = *file_lane_.result_key();
+  const bool same = key.elsewhere.source == *state.elsewhere && key.model == model()->number;
+  return same ? file_lane_.result() : nullptr;
+}
+
+std::optional<std::string> Workbench::watched_file() const {
+  if (shows_file()) return state.elsewhere->words;
+  if (watched && shows_elsewhere()) return watched->string();
+  return std::nullopt;
+}
+
+void Workbench::watch_file() {
+  const std::optional<std::string> file = watched_file();
+  if (!file) return watch_.stop();
+  if (watch_.changed(*file)) run_again();
 }
 
 void Workbench::show_from(const Elsewhere& elsewhere) {
@@ -101,13 +113,13 @@ std::string Workbench::elsewhere_problem() const {
 void Workbench::want_pictures() {
   if (shows_elsewhere()) {
     if (state.elsewhere->kind == Elsewhere::Kind::command && !state.elsewhere->allowed) return;
-    if (state.elsewhere->kind == Elsewhere::Kind::file) {
+    if (shows_file()) {
       file_lane_.want({{*state.elsewhere, runs_}, model()->number}, true, [&] {
         return [key = ElsewhereKey{*state.elsewhere, runs_}, scene = model()](const Progress&) {
           return read_elsewhere(key, *scene);
         };
       });
-      if (!file()) return;
+      if (!file() || file_lane_.result_key()->elsewhere.run != runs_) return;
     }
   }
   PictureKey key = picture_key();

@@ -38,8 +38,12 @@ void Workbench::want_steps() {
   const StoryKey key = {picture_key(), there ? *story_pixel_ : glm::ivec2(-1)};
   if (there || !story_lane_.result_key() || !(story_lane_.result_key()->picture == key.picture)) {
     story_lane_.want(key, true, [&] {
-      return [key, given = surroundings(), prepared = story_prepared_](const Progress& progress) {
-        return tell_story(key, given, *prepared, progress);
+      const Frame& frame = picture()->frame;
+      const std::uint32_t shown = there && frame.width == size.width
+                                      ? frame.id[frame.index(key.pixel.x, key.pixel.y)]
+                                      : background_id;
+      return [key, shown, given = surroundings(), keeper = story_keeper_](const Progress& progress) {
+        return tell_story(key, shown, given, *keeper, progress);
       };
     });
   }

@@ -3,6 +3,7 @@
 #include "text_layout.h"
 #include "window/panels/algorithm_settings.h"
 #include "window/panels/panels.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 namespace {
@@ -27,23 +28,68 @@ void draw_number_setting(Ui& ui, const Setting& setting, std::string& value) {
   }
 }
 
+std::vector<std::string> words_of(const std::string& joined) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= joined.size();) {
+    const std::size_t end = std::min(joined.find('+', begin), joined.size());
+    words.push_back(joined.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+/// A setting that is some of several words: a check box for each. The last one that is left stays.
+void draw_parts_setting(Ui& ui, const Setting& setting, std::string& value) {
+  const bool all = value == setting.choices.front();
+  const std::vector<std::string> chosen = all ? std::vector<std::string>() : words_of(value);
+  ImGui::TextUnformatted(std::string(setting.name).c_str());
+  ui.note(std::string(setting.name).c_str(), std::string(setting.meaning));
+  std::string joined;
+  std::size_t count = 0;
+  bool changed = false;
+  for (const std::string_view part : setting.parts) {
+    const std::string label(part);
+    bool used = all || std::ranges::find(chosen, label) != chosen.end();
+    ui.beside(("[]  " + label).c_str());
+    changed |= ui.checkbox(label.c_str(), used, std::string(setting.meaning));
+    if (!used) continue;
+    joined += (joined.empty() ? "" : "+") + label;
+    ++count;
+  }
+  if (!changed || count == 0) return;
+  value = count == setting.parts.size() ? std::string(setting.choices.front()) : joined;
+}
+
+void draw_setting(Ui& ui, AlgorithmSpec& spec, const Setting& setting) {
+  std::string& value = spec.settings.find(setting.name)->second;
+  if (!setting.parts.empty()) return draw_parts_setting(ui, setting, value);
+  ImGui::SetNextItemWidth(-0.4F * ImGui::GetContentRegionAvail().x);
+  if (setting.range) return draw_number_setting(ui, setting, value);
+  auto chosen = static_cast<std::size_t>(std::ranges::find(setting.choices, value) - setting.choices.begin());
+  const std::string label(setting.name);
+  if (ui.combo(label.c_str(), chosen, setting.choices, std::string(setting.meaning))) {
+    value = setting.choices[chosen];
+  }
+}
+
+/// The settings that a fast version lacks; whoever changes one of them gets the textbook version.
+void draw_textbook_settings(Ui& ui, Session& session) {
+  const AlgorithmSpec& spec = session.bench.state.algorithm;
+  if (spec.algorithm->variant_of.empty()) return;
+  AlgorithmSpec textbook = other_version(spec);
+  const Settings before = textbook.settings;
+  for (const Setting& setting : textbook.algorithm->settings) {
+    if (!spec.settings.contains(setting.name)) draw_setting(ui, textbook, setting);
+  }
+  if (textbook.settings == before) return;
+  session.bench.select_algorithm(textbook);
+  session.tell("the fast version has no such setting: this is the textbook's");
+}
+
 }  // namespace
 
 void draw_settings(Ui& ui, AlgorithmSpec& spec) {
-  for (const Setting& setting : spec.algorithm->settings) {
-    std::string& value = spec.settings.find(setting.name)->second;
-    ImGui::SetNextItemWidth(-0.4F * ImGui::GetContentRegionAvail().x);
-    if (setting.range) {
-      draw_number_setting(ui, setting, value);
-      continue;
-    }
-    auto chosen =
-        static_cast<std::size_t>(std::ranges::find(setting.choices, value) - setting.choices.begin());
-    const std::string label(setting.name);
-    if (ui.combo(label.c_str(), chosen, setting.choices, std::string(setting.meaning))) {
-      value = setting.choices[chosen];
-    }
-  }
+  for (const Setting& setting : spec.algorithm->settings) draw_setting(ui, spec, setting);
 }
 
 namespace {
@@ -60,7 +106,9 @@ void draw_program(Ui& ui, Session& session) {
     if (ui.button("Run it", "Only if you know what it does")) elsewhere.allowed = true;
     return;
   }
-  if (ui.button(command ? "Run again" : "Read again", "F5")) bench.run_again();
+  if (ui.button(command ? "Run again" : "Read again",
+                command ? "F5" : "F5; it is read again whenever the file changes"))
+    bench.run_again();
   if (command) {
     ui.faint_paragraph("It may take " + significant(bench.limits.seconds, 3) + " s and " +
                        grouped(bench.limits.memory / 1'000'000) + " MB.");
@@ -87,6 +135,7 @@ void draw_algorithm_panel(Ui& ui, Session& session) {
   ui.paragraph(std::string(spec.algorithm->title));
   ui.faint_paragraph(std::string(spec.algorithm->idea));
   draw_settings(ui, spec);
+  draw_textbook_settings(ui, session);
   ui.faint_paragraph("Source: " + std::string(spec.algorithm->source));
 }
 

@@ -37,7 +37,7 @@ void draw_algorithm_buttons(Ui& ui, Session& session) {
   for (std::size_t k = 0; k < algorithms.size(); ++k) {
     const bool chosen = &chosen_textbook(session) == algorithms[k] && !session.bench.state.show_elsewhere;
     if (ui.toggle(label_of(*algorithms[k], k).c_str(), chosen, tip_of(*algorithms[k]))) {
-      session.bench.select_algorithm(parse_algorithm_spec(algorithms[k]->name));
+      session.bench.select_algorithm(quickest_version(parse_algorithm_spec(algorithms[k]->name)));
     }
     ImGui::SameLine();
   }
@@ -55,7 +55,7 @@ void draw_algorithm_list(Ui& ui, Session& session) {
   const std::vector<std::string_view> names(labels.begin(), labels.end());
   ImGui::SetNextItemWidth(12.0F * ui.em);
   if (ui.combo("##algorithm", chosen, names, tip_of(*algorithms[chosen]))) {
-    session.bench.select_algorithm(parse_algorithm_spec(algorithms[chosen]->name));
+    session.bench.select_algorithm(quickest_version(parse_algorithm_spec(algorithms[chosen]->name)));
   }
   ImGui::SameLine();
 }

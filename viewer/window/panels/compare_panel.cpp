@@ -42,6 +42,34 @@ void draw_causes(Ui& ui, Session& session) {
   }
 }
 
+void draw_failure_buttons(Ui& ui, Session& session) {
+  if (ui.button("\xE2\x86\x90 previous", "The wrong pixel before (Shift N)")) go_to_failure(session, -1);
+  ImGui::SameLine();
+  if (ui.button("next \xE2\x86\x92", "The next wrong pixel (N)")) go_to_failure(session, 1);
+}
+
+/// What is to be said where every pixel shows the right triangle: a blend may be wrong all the same.
+void draw_blends(Ui& ui, Session& session, const Judgement& judgement) {
+  const AlgorithmSpec& spec =
+      session.bench.shows_elsewhere() ? program_spec() : session.bench.state.algorithm;
+  if (!judgement.colors_differ() || spec.algorithm->traits.antialiased) {
+    ui.colored_paragraph(ui.palette.good, "\xE2\x9C\x93 every pixel is right");
+    return;
+  }
+  const auto causes = session.bench.causes();
+  const std::uint64_t blends = causes ? causes->of(Cause::transparency_unsorted) : 0;
+  if (blends > 0) {
+    ui.colored_paragraph(ui.palette.bad, "\xE2\x9C\x97 " + grouped(blends) + " wrong blends");
+    draw_causes(ui, session);
+    draw_failure_buttons(ui, session);
+    return;
+  }
+  ui.colored_paragraph(ui.palette.good, "\xE2\x9C\x93 every pixel shows the right triangle");
+  ui.faint_paragraph(causes ? "Colours differ where something shines through (transparency: " +
+                                  std::string(spec.algorithm->traits.transparency) + ")."
+                            : "the blends are being checked");
+}
+
 void draw_counts(Ui& ui, Session& session) {
   const auto judgement = session.bench.judgement();
   if (!judgement) {
@@ -51,7 +79,7 @@ void draw_counts(Ui& ui, Session& session) {
   }
   const exact::Errors& errors = judgement->errors;
   if (errors.wrong + errors.holes + errors.leaks == 0) {
-    ui.colored_paragraph(ui.palette.good, "\xE2\x9C\x93 every pixel is right");
+    draw_blends(ui, session, *judgement);
   } else {
     // The shapes are those of the marks in the picture.
     ui.colored_paragraph(ui.palette.bad, "\xE2\x9C\x97 " + grouped(errors.wrong) + " wrong");
@@ -60,9 +88,7 @@ void draw_counts(Ui& ui, Session& session) {
     if (errors.leaks > 0)
       ui.colored_paragraph(ui.palette.accent, "\xE2\x96\xA1 " + grouped(errors.leaks) + " leaks");
     draw_causes(ui, session);
-    if (ui.button("\xE2\x86\x90 previous", "The wrong pixel before (Shift N)")) go_to_failure(session, -1);
-    ImGui::SameLine();
-    if (ui.button("next \xE2\x86\x92", "The next wrong pixel (N)")) go_to_failure(session, 1);
+    draw_failure_buttons(ui, session);
   }
   if (errors.other_of_tie > 0) {
     ui.faint_paragraph(counted(errors.other_of_tie, "pixel") + " of the other of two equally near: no error");

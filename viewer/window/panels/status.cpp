@@ -35,6 +35,9 @@ std::string picture_line(Session& session) {
     line += ", " + grouped(errors.wrong) + " wrong, " + grouped(errors.holes) + " holes, " +
             grouped(errors.leaks) + " leaks";
   }
+  const auto causes = bench.causes();
+  const std::uint64_t blends = causes ? causes->of(Cause::transparency_unsorted) : 0;
+  if (blends > 0) line += ", " + grouped(blends) + " wrong blends";
   return line;
 }
 

@@ -39,18 +39,30 @@ void put_right(const std::string& text) {
 void draw_saved(Ui& ui, Session& session, const Skip& skip) {
   const auto times = session.bench.skip_times();
   if (!times) return;
-  const auto saved = times->saved_ms.find(skip.name);
-  if (saved == times->saved_ms.end()) return;
+  const auto found = times->saved.find(skip.name);
+  if (found == times->saved.end()) return;
+  const SkipTimes::Saved& saved = found->second;
   // What is less than this part of the picture's time is noise.
   constexpr double noise = 0.03;
   std::string text = "saves nothing that can be measured";
-  if (saved->second > noise * times->with_ms) text = "saves " + milliseconds(saved->second);
-  if (saved->second < -noise * times->with_ms) text = "costs " + milliseconds(-saved->second);
+  if (saved.ms > noise * times->with_ms)
+    text = (saved.at_least ? "saves more than " : "saves ") + milliseconds(saved.ms);
+  if (saved.ms < -noise * times->with_ms) text = "costs " + milliseconds(-saved.ms);
   ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.faint_text);
   put_right(text);
   ImGui::PopStyleColor();
   ui.note(("saved by " + std::string(skip.name)).c_str(),
           "Measured: the same picture with and without the skip, in turns");
+}
+
+/// Where a picture takes so long that what skips save is only measured when somebody asks.
+void draw_measure_button(Ui& ui, Session& session) {
+  const auto times = session.bench.skip_times();
+  if (!times || !times->too_long) return;
+  if (session.bench.measures_skips()) return ui.faint_paragraph("measuring what each saves ...");
+  ui.faint_paragraph("What each saves is measured on request, as a picture takes more than a second.");
+  if (ui.button("Measure", "Makes the picture with and without each skip, in the background (Esc stops)"))
+    session.bench.measure_skips_patiently();
 }
 
 }  // namespace
@@ -78,6 +90,7 @@ void draw_work_panel(Ui& ui, Session& session) {
     put_right(grouped(count->second));
     draw_saved(ui, session, skip);
   }
+  draw_measure_button(ui, session);
   if (!picture || !ImGui::BeginTable("work", 2, ImGuiTableFlags_SizingStretchProp)) return;
   row(ui, "build (once for a scene)", milliseconds(picture->prepare_ms));
   row(ui, "render", milliseconds(picture->render_ms));

@@ -5,6 +5,7 @@
 
 #include "picture.h"
 #include "scene/errors.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 namespace {
@@ -37,7 +38,7 @@ std::vector<std::uint32_t> count_overdraw(const PictureKey& key, const Surroundi
                                           const Progress& progress) {
   const View view = view_of(given, key.view);
   const RenderOptions options = {1, key.skips_off, progress};
-  const AlgorithmSpec spec = spec_of(key);
+  const AlgorithmSpec spec = telling_version(spec_of(key));
   const auto renderer = given.told ? told_renderer(given.told)
                                    : spec.algorithm->prepare(*given.model->scene, spec.settings, options);
   Frame frame(view.width, view.height);
@@ -50,15 +51,18 @@ std::vector<std::uint32_t> count_overdraw(const PictureKey& key, const Surroundi
   return counts;
 }
 
-SkipTimes measure_skips(const PictureKey& key, const Surroundings& given, PreparedRenderers& prepared,
+SkipTimes measure_skips(const SkipsKey& wanted, const Surroundings& given, PreparedRenderers& prepared,
                         const Progress& progress) {
+  const PictureKey& key = wanted.picture;
   SkipTimes times;
   constexpr double longest_ms = 1000.0;
-  times.with_ms = render_once(key, given, prepared, progress, longest_ms);
-  times.too_long = times.with_ms >= longest_ms;
+  const double with_limit_ms = wanted.patient ? std::numeric_limits<double>::infinity() : longest_ms;
+  times.with_ms = render_once(key, given, prepared, progress, with_limit_ms);
+  times.too_long = times.with_ms >= with_limit_ms;
   if (times.too_long) return times;
   constexpr double patience_ms = 200.0;
   const int rounds = std::clamp(static_cast<int>(patience_ms / std::max(times.with_ms, 1e-3)), 1, 5);
+  const double without_limit_ms = 3.0 * std::max(times.with_ms, longest_ms);
   for (const Skip& skip : spec_of(key).algorithm->skips) {
     if (key.skips_off.contains(skip.name)) continue;
     PictureKey without = key;
@@ -66,10 +70,10 @@ SkipTimes measure_skips(const PictureKey& key, const Surroundings& given, Prepar
     double with_ms = std::numeric_limits<double>::infinity();
     double without_ms = with_ms;
     for (int round = 0; round < rounds; ++round) {
-      without_ms = std::min(without_ms, render_once(without, given, prepared, progress, 3.0 * longest_ms));
-      with_ms = std::min(with_ms, render_once(key, given, prepared, progress, longest_ms));
+      without_ms = std::min(without_ms, render_once(without, given, prepared, progress, without_limit_ms));
+      with_ms = std::min(with_ms, render_once(key, given, prepared, progress, with_limit_ms));
     }
-    times.saved_ms[std::string(skip.name)] = without_ms - with_ms;
+    times.saved[std::string(skip.name)] = {without_ms - with_ms, without_ms >= without_limit_ms};
   }
   return times;
 }

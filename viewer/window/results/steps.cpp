@@ -5,10 +5,12 @@
 
 #include "exact/worker.h"
 #include "failures/first_departure.h"
+#include "picture.h"
 #include "scene/errors.h"
 #include "trace/sentences.h"
 #include "trace_animation.h"
 #include "view/shading.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 namespace {
@@ -92,7 +94,7 @@ Trace make_trace(const TraceKey& key, const Surroundings& given, const Progress&
   trace.scene = given.model->scene;
   trace.view = view_of(given, key.picture.view);
   RenderOptions options = {1, key.picture.skips_off, progress};
-  const AlgorithmSpec spec = spec_of(key.picture);
+  const AlgorithmSpec spec = telling_version(spec_of(key.picture));
   const auto shared = std::make_shared<SharedRenderer>();
   shared->renderer =
       given.told ? told_renderer(given.told) : spec.algorithm->prepare(*trace.scene, spec.settings, options);
@@ -132,6 +134,7 @@ Trace make_trace(const TraceKey& key, const Surroundings& given, const Progress&
 
 Moment find_moment(const MomentKey& key, const Trace& trace, const glm::vec3& backdrop,
                    const Progress& progress) {
+  const Stopwatch stopwatch;
   Player& player = *trace.player;
   *trace.player_progress = progress;
   player.go_to(std::min(key.step, trace.total));
@@ -150,6 +153,7 @@ Moment find_moment(const MomentKey& key, const Trace& trace, const glm::vec3& ba
   if (in_picture) moment.list = player.state().list(pixel.x, pixel.y);
   moment.visited = visited_nodes(player);
   if (moment.event) moment.order = order_about(*moment.event, trace.order);
+  moment.milliseconds = stopwatch.milliseconds();
   return moment;
 }
 

@@ -53,6 +53,7 @@ struct Moment {
       list;                    ///< what the list holds so far: of the step's pixel, else of that asked for
   std::vector<Event> visited;  ///< nodes and cells that the step's ray came to, up to now
   std::vector<Event> order;    ///< the places about that of the step's triangle, by place
+  double milliseconds = 0.0;   ///< that finding it took
 };
 
 Moment find_moment(const MomentKey& key, const Trace& trace, const glm::vec3& backdrop,

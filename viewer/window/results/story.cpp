@@ -8,6 +8,7 @@
 #include "scene/errors.h"
 #include "trace/sentences.h"
 #include "view/shading.h"
+#include "window/variants.h"
 
 namespace hsr::window {
 namespace {
@@ -82,20 +83,59 @@ void write_history(Story& story) {
   }
 }
 
+/// Pixels whose steps are kept together.
+constexpr int square_side = 16;
+
+/// Without a progress function: what is prepared or traced may be kept for longer than it is asked.
+RenderOptions options_for(const PictureKey& key, const Surroundings& given) {
+  return {given.threads, key.skips_off, {}};
+}
+
 }  // namespace
 
-Story tell_story(const StoryKey& key, const Surroundings& given, PreparedRenderers& prepared,
+void StoryKeeper::prepare(const PictureKey& picture, const Surroundings& given, const Progress& progress) {
+  if (picture_ == picture) return;
+  teller_.reset();  // it holds a renderer that may have to go
+  picture_.reset();
+  RenderOptions options = options_for(picture, given);
+  options.progress = progress;
+  PictureKey telling = picture;
+  telling.algorithm = telling_version(spec_of(picture)).text();
+  Renderer& renderer = *prepared_.get(*given.model, telling, options).renderer;
+  teller_ = std::make_unique<PixelTeller>(view_of(given, picture.view), renderer, options_for(picture, given),
+                                          square_side);
+  picture_ = picture;
+}
+
+PixelStory StoryKeeper::tell(const StoryKey& key, std::uint32_t shown, const Surroundings& given,
+                             const Progress& progress) {
+  prepare(key.picture, given, progress);
+  PixelStory story = teller_->tell(key.pixel.x, key.pixel.y, progress);
+  if (!report_progress(progress, "looking into the pixel", 1.0)) throw InputError("stopped");
+  const AlgorithmSpec spec = spec_of(key.picture);
+  if (story.id == shown || spec.algorithm->variant_of.empty()) return story;
+  // A fast version whose settings make another picture (floats at their word) speaks for itself.
+  RenderOptions options = options_for(key.picture, given);
+  options.progress = progress;
+  return tell_pixel(view_of(given, key.picture.view),
+                    *prepared_.get(*given.model, key.picture, options).renderer, options, key.pixel.x,
+                    key.pixel.y);
+}
+
+Story tell_story(const StoryKey& key, std::uint32_t shown, const Surroundings& given, StoryKeeper& keeper,
                  const Progress& progress) {
   const Stopwatch stopwatch;
   Story story;
   story.scene = given.model->scene;
   story.view = view_of(given, key.picture.view);
-  const RenderOptions options = {given.threads, key.picture.skips_off, progress};
-  const auto from_elsewhere = given.told ? told_renderer(given.told) : nullptr;
-  Renderer& renderer =
-      from_elsewhere ? *from_elsewhere : *prepared.get(*given.model, key.picture, options).renderer;
+  if (!given.told) keeper.prepare(key.picture, given, progress);
   if (key.pixel.x < 0) return story;  // all is prepared
-  story.pixel = tell_pixel(story.view, renderer, options, key.pixel.x, key.pixel.y);
+  if (given.told) {
+    const RenderOptions options = {given.threads, key.picture.skips_off, progress};
+    story.pixel = tell_pixel(story.view, *told_renderer(given.told), options, key.pixel.x, key.pixel.y);
+  } else {
+    story.pixel = keeper.tell(key, shown, given, progress);
+  }
   if (!report_progress(progress, "looking into the pixel", 1.0)) throw InputError("stopped");
   const AlgorithmSpec spec = spec_of(key.picture);
   const bool silent = given.told && !given.told->picture.tells_steps;

@@ -41,7 +41,24 @@ struct Story {
   double milliseconds = 0.0;
 };
 
-Story tell_story(const StoryKey& key, const Surroundings& given, PreparedRenderers& prepared,
+/// What is kept from one pixel of a picture to the next: the renderer, and the steps about the last one. For
+/// one thread at a time.
+class StoryKeeper {
+ public:
+  /// `shown` is the triangle that the picture shows at the pixel. Throws InputError when asked to stop.
+  PixelStory tell(const StoryKey& key, std::uint32_t shown, const Surroundings& given,
+                  const Progress& progress);
+  /// Prepares what every pixel of the picture needs.
+  void prepare(const PictureKey& picture, const Surroundings& given, const Progress& progress);
+
+ private:
+  PreparedRenderers prepared_;
+  std::optional<PictureKey> picture_;
+  std::unique_ptr<PixelTeller> teller_;  ///< of that picture
+};
+
+/// Tells the story of a pixel at which the picture shows triangle `shown`.
+Story tell_story(const StoryKey& key, std::uint32_t shown, const Surroundings& given, StoryKeeper& keeper,
                  const Progress& progress);
 
 }  // namespace hsr::window

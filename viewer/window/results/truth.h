@@ -31,7 +31,12 @@ enum class Verdict : std::uint8_t { right, wrong, hole, leak };
 struct Judgement {
   exact::Errors errors;
   std::vector<Verdict> verdicts;      ///< per pixel, row by row
-  std::vector<std::uint32_t> failed;  ///< the pixels that are not right, row by row
+  std::vector<std::uint32_t> failed;  ///< the pixels whose triangle is not right, row by row
+
+  /// Whether a colour differs visibly from that of the exact lists.
+  bool colors_differ() const {
+    return errors.color && errors.color->max > static_cast<double>(visible_difference);
+  }
 };
 
 /// Why the wrong pixels are wrong. `key` made the picture.

@@ -1,6 +1,7 @@
 // The commands that do what hands do, look and measure.
 
 #include <array>
+#include <filesystem>
 #include <ostream>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "output_file.h"
 #include "scene/errors.h"
 #include "text_layout.h"
+#include "values.h"
 #include "window/script/expectation.h"
 #include "window/script/script_command.h"
 #include "window/script/values.h"
@@ -98,6 +100,16 @@ constexpr std::array commands = {
                     stage.out << words[0] << " = "
                               << (number != nullptr ? significant(*number, 6) : std::get<std::string>(value))
                               << "\n";
+                  }},
+    ScriptCommand{
+        "pause", "SECONDS in which the window goes on drawing", 1, 1,
+        [](Stage& stage, ScriptWords words) { stage.hands.pause(parse_number("pause", words[0])); }},
+    ScriptCommand{"copy", "FILE TO, as another program writes a file", 2, 2,
+                  [](Stage&, ScriptWords words) {
+                    std::error_code problem;
+                    std::filesystem::copy_file(words[0], words[1],
+                                               std::filesystem::copy_options::overwrite_existing, problem);
+                    if (problem) throw InputError(words[1] + ": " + problem.message());
                   }},
     ScriptCommand{"wait", "", 0, 0, [](Stage& stage, ScriptWords) { stage.hands.wait(); }},
     ScriptCommand{"expect", "text WORDS, no text WORDS, or VALUE = < > <= >= != WHAT", 2, ScriptCommand::any,

@@ -142,4 +142,13 @@ void Hands::wait() {
   frames(2);
 }
 
+void Hands::pause(double seconds) {
+  constexpr double most_seconds = 60.0;
+  const Stopwatch stopwatch;
+  while (stopwatch.milliseconds() < 1000.0 * std::min(seconds, most_seconds)) {
+    SDL_Delay(10);
+    app_.frame();
+  }
+}
+
 }  // namespace hsr::window

@@ -29,6 +29,8 @@ class Hands {
   void drop(const std::string& file);
   /// Draws until nothing is computed any more. Throws InputError after two minutes.
   void wait();
+  /// Goes on drawing for so many seconds, at most a minute.
+  void pause(double seconds);
   void frames(int count);
 
  private:

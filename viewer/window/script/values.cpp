@@ -66,6 +66,12 @@ const std::array values = {
     NamedValue{"wrong", [](const Session& s) -> ScriptValue { return number(errors_of(s).wrong); }},
     NamedValue{"holes", [](const Session& s) -> ScriptValue { return number(errors_of(s).holes); }},
     NamedValue{"leaks", [](const Session& s) -> ScriptValue { return number(errors_of(s).leaks); }},
+    NamedValue{"wrong-blends",
+               [](const Session& s) -> ScriptValue {
+                 (void)errors_of(s);
+                 const auto causes = s.bench.causes();
+                 return causes ? number(causes->of(Cause::transparency_unsorted)) : 0.0;
+               }},
     NamedValue{"width", [](const Session& s) -> ScriptValue { return double(s.bench.picture_size().width); }},
     NamedValue{"height",
                [](const Session& s) -> ScriptValue { return double(s.bench.picture_size().height); }},
@@ -99,6 +105,8 @@ const std::array values = {
                  const auto structure = require(s.bench.structure(), "structure");
                  return double(structure->nodes.size() + structure->cells.size());
                }},
+    NamedValue{"step-ms",
+               [](const Session& s) -> ScriptValue { return require(s.bench.moment(), "step")->milliseconds; }},
     NamedValue{"visited",
                [](const Session& s) -> ScriptValue { return double(require(s.bench.moment(), "step")->visited.size()); }},
     NamedValue{"in-list",
@@ -112,7 +120,7 @@ const std::array values = {
                }},
     NamedValue{"skips-measured",
                [](const Session& s) -> ScriptValue {
-                 return double(require(s.bench.skip_times(), "measurement of skips")->saved_ms.size());
+                 return double(require(s.bench.skip_times(), "measurement of skips")->saved.size());
                }},
     NamedValue{"lesson", [](const Session& s) -> ScriptValue { return double(s.bench.state.lesson); }},
     NamedValue{"lesson step", [](const Session& s) -> ScriptValue { return double(s.bench.state.lesson_step); }},
