@@ -62,15 +62,31 @@ std::vector<LessonStep> divide(const Blocks& blocks) {
   return steps;
 }
 
+/// A script without what comes after the last thing that is looked at in it: that puts back what the script
+/// after it does not expect.
+std::string_view up_to_last_look(std::string_view script) {
+  std::size_t end = 0;
+  for (std::size_t begin = 0; begin < script.size();) {
+    const std::size_t next = std::min(script.find('\n', begin), script.size() - 1) + 1;
+    const std::string_view line = script.substr(begin, next - begin);
+    if (line.starts_with("expect ") || line.starts_with("screenshot ")) end = next;
+    begin = next;
+  }
+  return script.substr(0, end);
+}
+
 }  // namespace
 
 std::string OpenLesson::script_up_to(int step) const {
-  std::string text;
+  std::string before;
+  std::string last;
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    if (static_cast<int>(k) >= step && !text.empty()) break;
-    if (steps[k].script) text += document.blocks[*steps[k].script].text;
+    if (static_cast<int>(k) >= step && !last.empty()) break;
+    if (!steps[k].script) continue;
+    before += last;
+    last = document.blocks[*steps[k].script].text;
   }
-  return text;
+  return before.append(up_to_last_look(last));
 }
 
 OpenLesson open_lesson(const Lesson& lesson) {

@@ -27,7 +27,8 @@ struct OpenLesson {
   Document document;
   std::vector<LessonStep> steps;
 
-  /// What all scripts up to those of step `step` (from 1) say; before the first script, what the first says.
+  /// What all scripts up to that of step `step` (from 1) say, the last of them up to the last thing that is
+  /// looked at in it; before the first script, what the first says.
   std::string script_up_to(int step) const;
 };
 

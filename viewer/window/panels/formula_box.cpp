@@ -116,10 +116,8 @@ Reach Placer::fraction(const Pen& pen, const Formula& formula, bool display, con
 }
 
 Reach Placer::root(const Pen& pen, const Formula& formula, bool display, const ImVec2& start) const {
-  Pen upright = pen;
-  upright.slanted = false;
   const Reach inner = reach_of(pen, formula.parts[0], display);
-  const Reach sign = put_letters(upright, "\u221A", list, start);
+  const Reach sign = put_letters(pen, "\u221A", list, start);
   const float top = start.y - std::max(inner.above, letters_above * pen.size);
   if (list != nullptr) {
     (void)put(pen, formula.parts[0], display, {start.x + sign.width, start.y});
@@ -196,8 +194,6 @@ Reach Placer::matrix(const Pen& pen, const Formula& formula, const ImVec2& start
 }
 
 Reach Placer::put(const Pen& pen, const Formula& formula, bool display, const ImVec2& start) const {
-  Pen letters = pen;
-  letters.slanted = formula.kind == Kind::identifier && !formula.upright;
   switch (formula.kind) {
     case Kind::row:
       return row(pen, formula, display, start);
@@ -212,7 +208,7 @@ Reach Placer::put(const Pen& pen, const Formula& formula, bool display, const Im
     case Kind::matrix:
       return matrix(pen, formula, start);
     default:
-      return put_letters(letters, formula.text, list, start);
+      return put_letters(pen, formula.text, list, start);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <span>
+#include <vector>
 
 #include "window/panels/text_flow.h"
 
@@ -55,8 +56,8 @@ class Page {
     return block.words.size() == 1 && block.words[0].kind == Inline::Kind::image;
   }
 
-  void words(std::span<const Inline> words, ImFont* font) {
-    const std::string link = draw_text_flow(ui_, words, {font, ui_.palette.text});
+  void words(std::span<const Inline> words, ImFont* font, float scale = 1.0F) {
+    const std::string link = draw_text_flow(ui_, words, {font, ui_.palette.text, scale});
     if (!link.empty()) clicked_ = link;
   }
 
@@ -104,16 +105,22 @@ class Page {
     const int columns = static_cast<int>(block.parts[0].parts.size());
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_BordersOuter | ImGuiTableFlags_SizingStretchProp;
-    if (!ImGui::BeginTable("##table", columns, flags)) return;
-    for (int column = 0; column < columns; ++column) {
-      ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch,
-                              weight(block, static_cast<std::size_t>(column)));
+    std::vector<float> weights;
+    float all = 0.0F;
+    for (std::size_t column = 0; column < block.parts[0].parts.size(); ++column) {
+      weights.push_back(weight(block, column));
+      all += weights.back() + 2.0F * ImGui::GetStyle().CellPadding.x;
     }
+    constexpr float least_scale = 0.75F;
+    const float scale = std::clamp(ImGui::GetContentRegionAvail().x / all, least_scale, 1.0F);
+    if (!ImGui::BeginTable("##table", columns, flags)) return;
+    for (const float column : weights)
+      ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch, column);
     for (const Block& row : block.parts) {
       ImGui::TableNextRow();
       for (const Block& cell : row.parts) {
         ImGui::TableNextColumn();
-        words(cell.words, &row == &block.parts[0] ? ui_.fonts.strong : ui_.fonts.plain);
+        words(cell.words, &row == &block.parts[0] ? ui_.fonts.strong : ui_.fonts.plain, scale);
       }
     }
     ImGui::EndTable();
@@ -124,9 +131,9 @@ class Page {
     float widest = ui_.em;
     for (const Block& row : block.parts) {
       if (column >= row.parts.size()) continue;
-      widest = std::max(widest, text_flow_width(ui_, row.parts[column].words, {ui_.fonts.plain, 0}));
+      widest = std::max(widest, text_flow_width(ui_, row.parts[column].words, {ui_.fonts.strong, 0}));
     }
-    return std::min(widest, 14.0F * ui_.em);
+    return std::min(widest + 0.4F * ui_.em, 14.0F * ui_.em);
   }
 
   Ui& ui_;

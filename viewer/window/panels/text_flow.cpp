@@ -28,9 +28,7 @@ class Flow {
   void add(const Inline& run) {
     const Pen pen = pen_of(run);
     if (run.kind == Inline::Kind::formula) {
-      Atom atom = {&run, {}, pen, put_formula(pen, *run.formula, run.display), blank_, false, run.display};
-      atoms_.push_back(atom);
-      blank_ = false;
+      add_formula(run, pen);
     } else if (run.kind == Inline::Kind::line_break) {
       break_ = true;
     } else if (run.kind != Inline::Kind::image) {
@@ -59,15 +57,28 @@ class Flow {
   }
 
  private:
-  float blank() const { return 0.3F * ui_.em; }
+  float blank() const { return 0.3F * style_.scale * ui_.em; }
 
   Pen pen_of(const Inline& run) const {
     Pen pen;
     pen.font = run.kind == Inline::Kind::code ? ui_.fonts.code : run.strong ? ui_.fonts.strong : style_.font;
-    pen.size = run.kind == Inline::Kind::formula ? style_.font->FontSize : pen.font->FontSize;
+    pen.size =
+        style_.scale * (run.kind == Inline::Kind::formula ? style_.font->FontSize : pen.font->FontSize);
     pen.color = run.address.empty() ? style_.color : ui_.palette.accent;
     pen.slanted = run.emphasis;
     return pen;
+  }
+
+  /// Smaller if no line has room for it.
+  void add_formula(const Inline& run, Pen pen) {
+    constexpr float least = 0.6F;
+    Reach reach = put_formula(pen, *run.formula, run.display);
+    if (reach.width > width_) {
+      pen.size *= std::max(least, width_ / reach.width);
+      reach = put_formula(pen, *run.formula, run.display);
+    }
+    atoms_.push_back({&run, {}, pen, reach, blank_, false, run.display});
+    blank_ = false;
   }
 
   void add_words(const Inline& run, const Pen& pen) {
@@ -130,7 +141,7 @@ class Flow {
   }
 
   void draw_line(ImDrawList& list, std::size_t begin, std::size_t end, ImVec2& place) {
-    const float size = style_.font->FontSize;
+    const float size = style_.scale * style_.font->FontSize;
     Reach line = {0.0F, 0.8F * size, 0.25F * size};
     for (std::size_t k = begin; k < end; ++k) {
       line.above = std::max(line.above, atoms_[k].reach.above);

@@ -12,6 +12,7 @@ namespace hsr::window {
 struct TextStyle {
   ImFont* font = nullptr;
   ImU32 color = 0;
+  float scale = 1.0F;  ///< of the letters
 };
 
 /// Draws words, code and formulas as a paragraph that is wrapped at the right edge, and takes up its place.
