@@ -59,6 +59,28 @@ TEST_CASE("failures: a pixel's story agrees with the frame and the exact list") 
       });
 }
 
+TEST_CASE("failures: pixels of a square that is traced once have the stories that each has alone") {
+  hsr::test::for_each_traced({"three-bars", "glass"}, 24, 18,
+                             [](const hsr::View& view, const std::string& text) {
+                               const hsr::AlgorithmSpec spec = hsr::parse_algorithm_spec(text);
+                               const auto renderer = spec.algorithm->prepare(*view.scene, spec.settings, {});
+                               hsr::PixelTeller teller(view, *renderer, {}, 8);
+                               for (int k = 0; k < (hsr::test::sanitized ? 3 : 12); ++k) {
+                                 const int i = 4 + k;
+                                 const int j = 5 + k / 2;
+                                 const PixelStory alone = tell_pixel(view, *renderer, {}, i, j);
+                                 const PixelStory story = teller.tell(i, j, {});
+                                 CHECK(story.id == alone.id);
+                                 CHECK(story.depth == alone.depth);
+                                 CHECK(story.color == alone.color);
+                                 CHECK(story.history.total == alone.history.total);
+                                 CHECK(story.history.events == alone.history.events);
+                                 REQUIRE(story.departure.has_value() == alone.departure.has_value());
+                                 if (story.departure) CHECK(story.departure->step == alone.departure->step);
+                               }
+                             });
+}
+
 TEST_CASE("failures: what the painter does wrong is explained by his keys") {
   const hsr::Scene scene = flat_and_leaning();
   const hsr::View view = hsr::test::front_view(scene, 16, 16, 4.0, 0.5, 100.0);

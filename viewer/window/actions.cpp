@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "text_layout.h"
 #include "window/files.h"
 #include "window/lesson.h"
 #include "window/playing.h"
@@ -253,7 +254,7 @@ void go_to_failure(Session& session, int direction) {
   const std::uint32_t pixel = failed[chosen];
   state.pixel = glm::ivec2(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
   move_pixel(session, 0, 0);
-  session.tell("wrong pixel " + std::to_string(chosen + 1) + " of " + std::to_string(failed.size()));
+  session.tell("wrong pixel " + grouped(chosen + 1) + " of " + grouped(failed.size()));
 }
 
 void toggle_zoom(Session& session) {

@@ -137,10 +137,11 @@ void draw_outside_view(Ui& ui, Session& session, const Area& area) {
     if (story && structure) draw_visited(ui, drawing, *structure, story->pixel.history.events);
     draw_pair_outside(ui, session, drawing);
   }
+  const bool wide = area.size.x > 28.0F * ui.em;  // or the words and the slider would overlap
   list.AddRect(area.corner, {area.corner.x + area.size.x, area.corner.y + area.size.y}, ui.palette.line, 0.0F,
                0, 2.0F * ui.stroke);
   ui.draw_text(list, {area.corner.x + 0.5F * ui.em, area.corner.y + 0.4F * ui.em}, ui.palette.text,
-               structure ? "from outside: boxes of the structure" : "from outside");
+               structure && wide ? "from outside: boxes of the structure" : "from outside");
   list.PopClipRect();
   if (structure && !structure->nodes.empty()) draw_level_slider(ui, session, area, structure->levels);
 }

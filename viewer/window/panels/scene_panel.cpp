@@ -18,7 +18,7 @@ bool contains_word(std::string_view text, std::string_view word) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
   };
-  return !std::ranges::search(text, word, same).empty();
+  return word.empty() || !std::ranges::search(text, word, same).empty();
 }
 
 /// The list below the field: what fits the typed words.
@@ -44,10 +44,16 @@ void draw_picker(Ui& ui, Session& session) {
     session.scene_words.clear();
     ImGui::OpenPopup("scenes");
   }
+  const ImVec2 below = {ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.2F * ui.em};
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(SceneWords(session.bench.state.scene).short_name().c_str());
-  ImGui::SetNextWindowSizeConstraints({26.0F * ui.em, 10.0F * ui.em}, {40.0F * ui.em, 30.0F * ui.em});
+  // Also where a key opened it and the mouse is anywhere.
+  ImGui::SetNextWindowPos(below, ImGuiCond_Appearing);
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowSizeConstraints({std::min(26.0F * ui.em, window.x - below.x), 10.0F * ui.em},
+                                      {std::min(40.0F * ui.em, window.x - below.x),
+                                       std::clamp(window.y - below.y - ui.em, 10.0F * ui.em, 30.0F * ui.em)});
   ui.pause_recording();
   if (ImGui::BeginPopup("scenes")) {
     ui.resume_recording();
@@ -60,6 +66,7 @@ void draw_picker(Ui& ui, Session& session) {
     }
     ui.note("##search");
     draw_choices(ui, session);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) ImGui::CloseCurrentPopup();
     ui.pause_recording();
     ImGui::EndPopup();
   }

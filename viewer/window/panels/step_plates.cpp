@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "text_layout.h"
 #include "view/shading.h"
@@ -103,10 +104,18 @@ void draw_depth_bars(Ui& ui, ImDrawList& list, const Area& area, const std::arra
   ui.draw_text(list, {from + width - ImGui::CalcTextSize("far").x, at.y + 0.2F * em}, ink_on_paper, "far");
 }
 
-void draw_order_plate(Ui& ui, ImDrawList& list, const Area& area, const std::vector<Event>& order,
+void draw_order_plate(Ui& ui, ImDrawList& list, const Area& area, const std::vector<Event>& all,
                       std::uint32_t present, const Scene& scene) {
   const float em = ui.em;
   const float line = ImGui::GetTextLineHeight();
+  // In a low picture it leaves room for the plate of depths, and shows the places about the present one.
+  constexpr float below = 8.0F;
+  const float room = (area.size.y - below * em) / line - 1.6F;
+  if (room < 1.0F) return;
+  const std::size_t count = std::min(all.size(), static_cast<std::size_t>(room));
+  const auto here_at = static_cast<std::size_t>(std::ranges::find(all, present, &Event::p) - all.begin());
+  const std::size_t first = std::min(here_at - std::min(here_at, count / 2), all.size() - count);
+  const std::span<const Event> order = std::span(all).subspan(first, count);
   const std::string title = "painted in this order";
   float width = ImGui::CalcTextSize(title.c_str()).x;
   std::vector<std::string> lines;

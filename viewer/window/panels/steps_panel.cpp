@@ -55,7 +55,7 @@ void draw_choices(Ui& ui, Session& session) {
     state.steps_of = static_cast<StepsOf>(of);
     state.step = 0;
   }
-  ImGui::SameLine(0.0F, 1.5F * ui.em);
+  ui.beside("steps a second by a slider", 1.5F * ui.em);
   ImGui::SetNextItemWidth(8.0F * ui.em);
   (void)ui.slider("a second", state.speed, 1.0F, 1e6F, "%.0f", "Steps a second when playing",
                   ImGuiSliderFlags_Logarithmic);
