@@ -104,7 +104,6 @@ struct ViewCommand {
   ChildLimits limits;                          ///< of the command
   int lesson = 0;                              ///< to be opened, from 1; 0: none
   int lesson_step = 1;
-
   std::optional<std::filesystem::path> watched;  ///< when it is saved the command is run again
   int threads = 1;
 };
