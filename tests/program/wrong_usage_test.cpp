@@ -74,7 +74,8 @@ TEST_CASE("program: wrong usage is one line that names the option, and exit code
       {{"render", "box", "-a", "abuffer", "--deep", "picture.png"},
        "--deep: \"picture.png\" must end in .exr"},
       {{"render", "box", "-a", "painter", "--deep", "a.exr"},
-       "--deep: painter keeps no depth lists; those that do: abuffer, depthlist, raycast"},
+       "--deep: painter keeps no depth lists; those that do: abuffer, abuffer-fast, depthlist, "
+       "depthlist-fast, raycast, raycast-fast"},
       {{"render", "box", "-a", "abuffer", "--deep", "a.exr", "--layers", "a.exr"}, "--deep: \"a.exr\""},
       {{"compare", "box", "-a", "zbuffer,"}, "--algorithm: unknown algorithm \"\""},
       {{"compare", "box", "--no-skip", "nothing"}, "--no-skip: unknown skip \"nothing\""},
