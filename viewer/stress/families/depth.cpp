@@ -14,7 +14,8 @@ namespace {
 // A board in the plane z = 0 and patches in the planes z = gap and z = -gap, which the eye, at height 1, sees
 // at an angle. On a ray through board and patch the depths are in the ratio 1 - gap or 1 + gap, whatever the
 // pixel. The board comes first in the file, so that it stays where depths are stored as the same number, and
-// reaches farther back than the patches, so that it is the first to be painted where signs are taken for zero.
+// reaches farther back than the patches, so that it is the first to be painted where signs are taken for
+// zero.
 Scene board_and_patches(double gap) {
   MeshBuilder builder("board and patches");
   builder.parallelogram({-2.0, -2.0, 0.0}, {4.0, 0.0, 0.0}, {0.0, 4.0, 0.0});
