@@ -84,9 +84,11 @@ std::string binary_ply_with(const std::array<char, 4>& bytes) {
   std::string file =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
       "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
-  const std::string zero(4, '\0');
-  const std::string one = {'\0', '\0', '\x80', '\x3f'};
-  file += zero + zero + zero + one + zero + zero + zero + one + std::string(bytes.data(), bytes.size());
+  constexpr std::array zero = {'\0', '\0', '\0', '\0'};
+  constexpr std::array one = {'\0', '\0', '\x80', '\x3f'};
+  for (const std::array<char, 4>& number : {zero, zero, zero, one, zero, zero, zero, one, bytes}) {
+    file.append(number.data(), number.size());
+  }
   const std::string index = {'\x03', '\0', '\0',   '\0', '\0', '\x01', '\0',
                              '\0',   '\0', '\x02', '\0', '\0', '\0'};
   return file + index;
