@@ -15,9 +15,11 @@ std::span<const Target> targets() {
       Target{"any_format", any_format},
       Target{"spec", spec},
       Target{"built_in_scene", built_in_scene},
+#if HSR_FUZZ_PROGRAM
       Target{"values", values},
       Target{"state", state},
       Target{"script", script},
+#endif
       Target{"render", render},
   };
   return all;

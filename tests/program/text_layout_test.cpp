@@ -19,7 +19,7 @@ TEST_CASE("program: words are wrapped at spaces, and line breaks stay") {
 TEST_CASE("program: a definition's text stands in its column") {
   CHECK(hsr::definition("name", "what it is", 2, 10) == "  name    what it is\n");
   CHECK(hsr::definition("long name", "what it is", 2, 10) == "  long name\n          what it is\n");
-  const std::string text = hsr::definition("x", std::string(50, 'a') + " " + std::string(50, 'b'), 0, 4);
+  const std::string text = hsr::definition("x", std::string(50, 'a').append(1, ' ').append(50, 'b'), 0, 4);
   CHECK(text == "x   " + std::string(50, 'a') + "\n    " + std::string(50, 'b') + "\n");
 }
 
