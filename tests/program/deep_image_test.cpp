@@ -77,7 +77,7 @@ DeepPixels read_deep(const std::filesystem::path& file) {
 
 }  // namespace
 
-TEST_CASE("frame: a deep image holds every fragment, and flattened it is the picture") {
+TEST_CASE("program: a deep image holds every fragment, and flattened it is the picture") {
   const hsr::test::TemporaryFolder folder;
   for (const char* name : {"glass", "coplanar", "three-bars"}) {
     for (const char* algorithm : {"depthlist", "abuffer", "raycast"}) {
@@ -116,7 +116,7 @@ TEST_CASE("frame: a deep image holds every fragment, and flattened it is the pic
   }
 }
 
-TEST_CASE("frame: a deep image keeps a tied fragment, without colour") {
+TEST_CASE("program: a deep image keeps a tied fragment, without colour") {
   hsr::FragmentLists lists;
   lists.begin = {0, 0, 3};
   lists.fragments = {{7, 1.5F, false}, {9, 1.5F, true}, {2, 4.0F, false}};
